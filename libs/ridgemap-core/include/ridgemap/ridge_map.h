@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ridgemap/options.h>
+#include <ridgemap/types.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace ridgemap
+{
+/** Exact integer sums of the measurements in one lattice cell: all that the map keeps of them.
+ * Offsets are counted from the centre of the cell in units of sigma * 2^-20, second moments in (sigma * 2^-16)^2. */
+struct CellRecord
+{
+	std::int64_t cx = 0, cy = 0;  ///< cell index on the (rotated) lattice
+	std::uint32_t bin = 0;	///< viewing-direction bin; 0: direction not used
+	std::uint32_t n = 0;  ///< number of measurements
+	std::int64_t sx = 0, sy = 0;  ///< sums of offsets
+	std::int64_t sxx = 0, sxy = 0, syy = 0;	 ///< sums of products of offsets
+};
+
+/** One connected part of the map that an update recomputed (paper section IV, snapped to tiles). */
+struct UpdateRegion
+{
+	Box2 box;  ///< box around the tiles of the region, map frame
+	std::size_t tiles = 0;	///< tiles in the region
+};
+
+/** Stable name of a polyline within one map object, as long as it does not change. Never used twice. */
+using PolylineId = std::uint64_t;
+
+/** What RidgeMap::update() did. */
+struct UpdateResult
+{
+	std::vector<UpdateRegion> regions;	///< connected groups of recomputed tiles
+	std::vector<PolylineId> vanished;  ///< ridges that no longer exist in this form
+	std::vector<PolylineId> appeared;  ///< ridges that are new; see RidgeMap::ridge()
+	std::array<std::size_t, std::size_t(StopReason::count_)> stops{};  ///< ends of traces by reason
+	std::size_t tiles = 0;	///< tiles recomputed
+	std::size_t evaluations = 0;  ///< evaluations of the continuous occupancy
+	std::size_t kernels = 0;  ///< kernels summed in these evaluations (lattice cells, not measurements)
+	std::size_t seeds = 0;	///< measurements from which a ridge was looked for
+
+	UpdateResult& operator+=(const UpdateResult& o);
+};
+
+/** Figures of a whole map. */
+struct MapStatistics
+{
+	std::uint64_t measurements = 0;	 ///< measurements in the map
+	std::size_t cells = 0;	///< occupied lattice cells
+	std::size_t tiles = 0;	///< tiles that hold measurements or polylines
+	std::size_t bytes = 0;	///< memory in use, estimated [bytes]
+	std::size_t unstitchedCrossings = 0;  ///< crossings of tile borders that only one side continues
+	std::array<std::size_t, std::size_t(StopReason::count_)> stops{};  ///< ends of the present polyline pieces by reason
+};
+
+/** A map of surfaces: polylines on the ridges of the continuous occupancy of all measurements inserted so far.
+ *
+ * The polylines are a pure function of the multiset of measurements and the options: order, batching, threads,
+ * erased measurements and merged maps leave no trace, to the bit. The measurements are held as exact integer sums on a
+ * lattice, which makes insert, erase, merge and subtract exact.
+ *
+ * Changes (`insert`, `erase`, `merge`, `subtract`) only mark what they touch; `update()` brings the polylines up to
+ * date, and every query that needs them calls it by itself.
+ *
+ * Thread-safety: const functions may be called from several threads at once (a pending update is done once, under a
+ * lock); a non-const function needs the map for itself. */
+class RidgeMap
+{
+   public:
+	/** Throws std::invalid_argument if the options are not valid. */
+	explicit RidgeMap(const Options& options = Options());
+	~RidgeMap();
+	RidgeMap(const RidgeMap& o);
+	RidgeMap& operator=(const RidgeMap& o);
+	RidgeMap(RidgeMap&& o) noexcept;
+	RidgeMap& operator=(RidgeMap&& o) noexcept;
+
+	const Options& options() const;
+
+	/** Adds measurements. Throws std::invalid_argument for a coordinate that is not finite or beyond +-1e6 m, and
+	 * std::overflow_error when a cell would exceed 2^31; the map is then as before. O(measurements). */
+	void insert(const std::vector<Measurement>& measurements);
+
+	/** Takes out measurements that were inserted before, given by the same numbers. Throws std::invalid_argument when
+	 * the map does not hold them (as far as the sums can tell); the map is then as before. */
+	void erase(const std::vector<Measurement>& measurements);
+
+	/** Adds all measurements of another map with equal options (else std::invalid_argument): the same as inserting
+	 * them one by one. */
+	void merge(const RidgeMap& other);
+
+	/** Takes out all measurements of another map; errors as in merge() and erase(). */
+	void subtract(const RidgeMap& other);
+
+	/** Forgets all measurements; options stay. */
+	void clear();
+
+	bool empty() const;
+
+	/** Recomputes the polylines where measurements changed. Called by the queries when needed.
+	 * @param threads number of threads to use, at least 1; the result does not depend on it. */
+	UpdateResult update(unsigned threads = 1);
+
+	/** Threads used by updates that queries start by themselves (default 1). */
+	void setThreads(unsigned threads);
+
+	/** Strict ridges: every point within eps of the true ridge, complete above L_tol. Canonical order and direction.
+	 * The reference stays valid until the map changes. */
+	const std::vector<Polyline>& ridges() const;
+
+	/** One ridge by the name that update() gave it; throws std::out_of_range if it has vanished. */
+	Polyline ridge(PolylineId id) const;
+
+	/** Walls: ridges after pruning and attachment, for people and robots. The reference stays valid until the map
+	 * changes. */
+	const std::vector<Polyline>& walls() const;
+
+	/** Counts changes of the measurements: equal values mean equal polylines in this object. For caches. */
+	std::uint64_t version() const;
+
+	/** Continuous occupancy and its derivatives at a point of the map frame, equations (2)-(4). */
+	OccupancySample occupancy(const Point2& p) const;
+
+	/** Box around all lattice cells that hold measurements (grown by at most one cell), empty for an empty map. */
+	Box2 boundingBox() const;
+
+	MapStatistics statistics() const;
+
+	/** All occupied cells in canonical order: equal maps give equal lists. */
+	std::vector<CellRecord> cells() const;
+
+	/** Centroid of the measurements of every occupied cell, map frame, in the order of cells(). */
+	std::vector<Point2> cellCentroids() const;
+
+	/** Adds the contents of cells as returned by cells() of a map with equal options. Throws std::invalid_argument for
+	 * sums that no measurements can have, with the map as before. */
+	void insertCells(const std::vector<CellRecord>& cells);
+
+   private:
+	struct Impl;
+	std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ridgemap

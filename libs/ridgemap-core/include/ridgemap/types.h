@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace ridgemap
+{
+/** A point in the plane, map frame [m]. */
+struct Point2
+{
+	double x = 0;
+	double y = 0;
+
+	friend bool operator==(const Point2& a, const Point2& b) { return a.x == b.x && a.y == b.y; }
+	friend bool operator!=(const Point2& a, const Point2& b) { return !(a == b); }
+};
+
+/** One measured surface point (mu_i, paper section III) and, where it is known, the sensor that saw it.
+ * The sensor position is not used by the plain density; it is carried for densities per viewing side and for
+ * free-space evidence. */
+struct Measurement
+{
+	double x = 0;  ///< measured point, map frame [m]
+	double y = 0;  ///< measured point, map frame [m]
+	double sensorX = std::numeric_limits<double>::quiet_NaN();	///< sensor position, map frame [m]; NaN: unknown
+	double sensorY = std::numeric_limits<double>::quiet_NaN();	///< sensor position, map frame [m]; NaN: unknown
+};
+
+/** Axis-aligned box in the map frame [m]; empty while min > max. */
+struct Box2
+{
+	Point2 min{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+	Point2 max{-std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
+	bool empty() const { return !(min.x <= max.x && min.y <= max.y); }
+	void extend(const Point2& p);
+	void extend(const Box2& b);
+};
+
+/** Why a ridge trace, and so a polyline, ends where it ends (paper section V-C and DESIGN of the borders). */
+enum class StopReason : std::uint8_t
+{
+	crossing = 0,  ///< reached a registered crossing of the tile border; the polyline goes on in the next tile
+	closedLoop,	 ///< came back to its own start
+	belowThreshold,	 ///< the continuous occupancy fell below L_tol
+	noMeasurement,	///< no projected measurement within d_tol
+	notARidge,	///< the ridge criterion (5)-(8) fails: umbilic point, flat or repulsive direction
+	hitPolyline,  ///< ran into a polyline that already stands
+	unregisteredExit,  ///< left its tile where the border has no crossing
+	noConvergence,	///< the relaxation did not converge at the smallest step
+	workLimit,	///< the bound on nodes per trace was reached
+	count_	///< number of reasons, not a reason
+};
+
+/** Short name of a reason, for reports. */
+const char* toString(StopReason reason);
+
+/** A polyline of the map: consecutive points are joined by straight segments. */
+struct Polyline
+{
+	std::vector<Point2> points;	 ///< at least 2; a closed polyline repeats its first point at the end
+	bool closed = false;
+	StopReason startReason = StopReason::belowThreshold;  ///< why it ends at points.front()
+	StopReason endReason = StopReason::belowThreshold;	///< why it ends at points.back()
+
+	/** Sum of the segment lengths [m]. */
+	double length() const;
+};
+
+/** Value and derivatives of the continuous occupancy at a point, in *kernels*: the paper's L times 2 pi sigma^2, so
+ * that one isolated measurement has value 1 at its own place. Derivatives are per metre. */
+struct OccupancySample
+{
+	double value = 0;  ///< L, equation (2) [kernels]
+	double gx = 0, gy = 0;	///< gradient, equation (3) [kernels/m]
+	double hxx = 0, hxy = 0, hyy = 0;  ///< Hessian, equation (4) [kernels/m^2]
+	double txxx = 0, txxy = 0, txyy = 0, tyyy = 0;	///< third derivatives [kernels/m^3]
+};
+
+}  // namespace ridgemap
