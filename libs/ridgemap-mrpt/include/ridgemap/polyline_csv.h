@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ridgemap/types.h>
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace ridgemap
+{
+/** Writes polylines as CSV: header `polyline,x,y`, one node a line, polylines counted from 0, metres with 17
+ * significant digits, which give back the same doubles. A closed polyline repeats its first node. */
+void writePolylinesCsv(std::ostream& out, const std::vector<Polyline>& polylines);
+
+/** The same into a file that appears complete or not at all. Throws std::runtime_error naming the path and the cause.
+ */
+void writePolylinesCsv(const std::string& path, const std::vector<Polyline>& polylines);
+
+/** Writes the header `x,y` of a CSV of points. */
+void writePointsCsvHeader(std::ostream& out);
+
+/** Appends one line `x,y` with 17 significant digits. */
+void appendPointCsv(std::ostream& out, double x, double y);
+
+/** Writes points as CSV with the header `x,y`. */
+void writePointsCsv(std::ostream& out, const std::vector<Point2>& points);
+
+/** The same into a file that appears complete or not at all. Throws std::runtime_error naming the path and the cause.
+ */
+void writePointsCsv(const std::string& path, const std::vector<Point2>& points);
+
+}  // namespace ridgemap
