@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/maps/CMetricMap.h>
+#include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/math/TBoundingBox.h>
+#include <mrpt/version.h>
+#include <ridgemap/map_options.h>
+#include <ridgemap/polyline_index.h>
+#include <ridgemap/ridge_map.h>
+
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace ridgemap
+{
+class QueryCache;
+
+/** Makes the map classes known to MRPT. Loading the library does this by itself; a program that uses the map only
+ * through MRPT's registry (INI files, serialized objects) calls it once, else the linker may drop the library
+ * (`--as-needed`). May be called any number of times, from any thread. */
+void registerMapClasses();
+
+/** A map of surfaces as polylines on the ridges of a continuous occupancy, as one of MRPT's metric maps.
+ *
+ * In INI files of MRPT programs it is called `ridgeMap`: `ridgeMap_count = 1`, and the sections
+ * `<map>_ridgeMap_00_creationOpts`, `_insertOpts`, `_likelihoodOpts` and `_renderOpts`; see MapOptions and
+ * defaultIniText(). Coordinates are metres in the map frame, in double precision.
+ *
+ * The polylines are a pure function of the multiset of measurements and the options. They are brought up to date by the
+ * first query after a change; see update().
+ *
+ * Thread-safety: const functions may be called from several threads at once; a non-const function needs the map for
+ * itself. References and pointers to results stay valid until the map changes. */
+class CRidgeMap2D : public mrpt::maps::CMetricMap
+{
+	DEFINE_SERIALIZABLE(CRidgeMap2D, ridgemap)
+
+ public:
+	CRidgeMap2D();
+	/** Throws std::exception naming the first option that is not valid. */
+	explicit CRidgeMap2D(const Options& options);
+	explicit CRidgeMap2D(const MapOptions& options);
+	~CRidgeMap2D() override;
+	/** Copies map and options, not the observers subscribed to it. What queries have built is shared, not redone. */
+	CRidgeMap2D(const CRidgeMap2D& o);
+	CRidgeMap2D& operator=(const CRidgeMap2D& o);
+	/** Leaves an empty map with the same options behind. */
+	CRidgeMap2D(CRidgeMap2D&& o);
+	CRidgeMap2D& operator=(CRidgeMap2D&& o);
+
+	/** @name Options
+	 * @{ */
+	/** Applied by insertObservation() and eraseObservation(): an observation can be erased only with the options it was
+	 * inserted with. */
+	TInsertionOptions insertionOptions;
+	TLikelihoodOptions likelihoodOptions;
+	TRenderOptions renderOptions;
+
+	/** The parameters of the algorithm. */
+	const Options& options() const { return core_.options(); }
+	/** Replaces them; throws std::exception if they are not valid, or differ and the map is not empty. */
+	void setOptions(const Options& options);
+
+	MapOptions mapOptions() const;
+	/** Replaces all options; throws as setOptions() and for values out of range, with all options as before. */
+	void setMapOptions(const MapOptions& options);
+	/** @} */
+
+	/** @name Changes
+	 * @{ */
+	/** Adds measured surface points; errors as in RidgeMap::insert(). O(measurements). */
+	void insertMeasurements(const std::vector<Measurement>& measurements);
+	/** Takes out measurements that were inserted before; errors as in RidgeMap::erase(). */
+	void eraseMeasurements(const std::vector<Measurement>& measurements);
+	/** Takes out an observation that was inserted at this pose before: the map is then what it would be without it, to
+	 * the bit. Returns false if the observation holds no measurement (insertObservation() returned false, too). Throws
+	 * std::exception if the map does not hold its measurements, with the map as before. */
+	bool eraseObservation(const mrpt::obs::CObservation& obs,
+						  const std::optional<const mrpt::poses::CPose3D>& robotPose = std::nullopt);
+	/** Adds all measurements of another map with equal Options; errors as in RidgeMap::merge(). */
+	void merge(const CRidgeMap2D& other);
+	/** Takes out all measurements of another map; errors as in RidgeMap::subtract(). */
+	void subtract(const CRidgeMap2D& other);
+	/** Brings the polylines up to date and tells what changed. Queries do this by themselves. */
+	UpdateResult update(unsigned threads = 1);
+	/** Threads used by updates that queries start by themselves. The result does not depend on it. */
+	void setThreads(unsigned threads);
+	/** @} */
+
+	/** @name Queries
+	 * @{ */
+	/** The map without MRPT: occupancy, cells, statistics. */
+	const RidgeMap& core() const { return core_; }
+	/** Strict ridges: every point within eps of the true ridge. */
+	const std::vector<Polyline>& ridges() const { return core_.ridges(); }
+	/** Walls: ridges after pruning and attachment, for people and robots. */
+	const std::vector<Polyline>& walls() const { return core_.walls(); }
+	/** The point of walls() nearest to a point, by a KD-tree; exact. Nothing if there is none within maxDistance or the
+	 * query is not finite. About O(log walls); the first query after a change builds the tree. */
+	std::optional<NearestPoint> nearestWallPoint(const Point2& query,
+												 double maxDistance = std::numeric_limits<double>::infinity()) const;
+	/** The same on ridges(). */
+	std::optional<NearestPoint> nearestRidgePoint(const Point2& query,
+												  double maxDistance = std::numeric_limits<double>::infinity()) const;
+	/** @} */
+
+	/** @name Interface of CMetricMap
+	 * @{ */
+	bool isEmpty() const override { return core_.empty(); }
+	std::string asString() const override;
+
+	/** Pairs the points of another map with their feet on the nearest walls. Gate: maxDistForCorrespondence +
+	 * maxAngularDistForCorrespondence times the distance to angularDistPivotPoint. `globalIdx` is the index of the
+	 * point of getAsSimplePointsMap() nearest to the foot on its segment. onlyUniqueRobust has no meaning for feet and
+	 * is ignored. Throws std::exception if the other map has no points map. */
+	void determineMatching2D(const mrpt::maps::CMetricMap* otherMap, const mrpt::poses::CPose2D& otherMapPose,
+							 mrpt::tfest::TMatchingPairList& correspondences, const mrpt::maps::TMatchingParams& params,
+							 mrpt::maps::TMatchingExtraResults& extraResults) const override;
+
+	/** As determineMatching2D(), for points in space; walls reach from floor to ceiling, so a foot has the height of
+	 * its point. */
+	void determineMatching3D(const mrpt::maps::CMetricMap* otherMap, const mrpt::poses::CPose3D& otherMapPose,
+							 mrpt::tfest::TMatchingPairList& correspondences, const mrpt::maps::TMatchingParams& params,
+							 mrpt::maps::TMatchingExtraResults& extraResults) const override;
+
+	/** Share of the points of the other map that lie within maxDistForCorr of a wall; 0 for maps without points. */
+	float compute3DMatchingRatio(const mrpt::maps::CMetricMap* otherMap, const mrpt::poses::CPose3D& otherMapPose,
+								 const mrpt::maps::TMatchingRatioParams& params) const override;
+
+	/** Square of the distance to the nearest wall [m^2]; the greatest float for an empty map or a query that is not
+	 * finite. */
+	float squareDistanceToClosestCorrespondence(float x0, float y0) const override;
+
+	/** Points along the walls, at most sigma apart. Never null. Belongs to the map; valid until the map changes. */
+	const mrpt::maps::CSimplePointsMap* getAsSimplePointsMap() const override;
+
+	/** Box around all measurements (grown by at most one lattice cell), z = 0; all zero for an empty map. */
+#if MRPT_VERSION >= 0x20b03
+	mrpt::math::TBoundingBoxf boundingBox() const override;
+#else
+	mrpt::math::TBoundingBoxf boundingBox() const;
+#endif
+
+	/** Adds the polylines (CSetOfLines) and, if wanted, the measurements (CPointCloud); see renderOptions. */
+	void getVisualizationInto(mrpt::opengl::CSetOfObjects& outObj) const override;
+
+	/** Writes PREFIX_ridges.csv, PREFIX_walls.csv, PREFIX.svg and PREFIX.3Dscene. Each file appears complete or not at
+	 * all. Throws std::exception naming file and cause. */
+	void saveMetricMapRepresentationToFile(const std::string& filNamePrefix) const override;
+	/** @} */
+
+	MAP_DEFINITION_START(CRidgeMap2D)
+	TCreationOptions creationOpts;
+	TInsertionOptions insertionOpts;
+	TLikelihoodOptions likelihoodOpts;
+	TRenderOptions renderOpts;
+	MAP_DEFINITION_END(CRidgeMap2D)
+
+ private:
+	void internal_clear() override;
+	bool internal_insertObservation(const mrpt::obs::CObservation& obs,
+									const std::optional<const mrpt::poses::CPose3D>& robotPose = std::nullopt) override;
+	double internal_computeObservationLikelihood(const mrpt::obs::CObservation& obs,
+												 const mrpt::poses::CPose3D& takenFrom) const override;
+	bool internal_canComputeObservationLikelihood(const mrpt::obs::CObservation& obs) const override;
+
+	std::shared_ptr<const PolylineIndex> wallIndex() const;
+	std::shared_ptr<const PolylineIndex> ridgeIndex() const;
+	void swap(CRidgeMap2D& o);
+
+	RidgeMap core_;
+	std::unique_ptr<QueryCache> cache_;  ///< indices built by const queries, under a mutex
+};
+
+/** Reads a map from a file that MRPT wrote (an object in a CFileGZOutputStream), compressed or not. Throws
+ * std::exception naming the file and the cause. */
+CRidgeMap2D loadRidgeMap(const std::string& path);
+
+/** Writes a map to a file that MRPT programs with this library can read. The file appears complete or not at all.
+ * Throws std::exception naming the file and the cause. */
+void saveRidgeMap(const std::string& path, const CRidgeMap2D& map);
+
+}  // namespace ridgemap

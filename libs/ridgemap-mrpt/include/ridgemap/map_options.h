@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/config/CConfigFileBase.h>
+#include <mrpt/config/CLoadableOptions.h>
+#include <mrpt/img/TColor.h>
+#include <ridgemap/options.h>
+
+#include <string>
+#include <vector>
+
+namespace ridgemap
+{
+/** Section `_creationOpts`: the parameters of the algorithm. Fixed once a map holds measurements. */
+struct TCreationOptions : public mrpt::config::CLoadableOptions, public Options
+{
+	TCreationOptions() = default;
+	TCreationOptions(const Options& o) : Options(o) {}
+
+	/** Loads the keys that are present. Throws std::exception naming the key, the value and what is allowed for values
+	 * out of range, unknown words and unknown keys; the options are then as before. The same holds for the other
+	 * sections. */
+	void loadFromConfigFile(const mrpt::config::CConfigFileBase& source, const std::string& section) override;
+	/** Writes all keys with comments. */
+	void saveToConfigFile(mrpt::config::CConfigFileBase& target, const std::string& section) const override;
+	void dumpToTextStream(std::ostream& out) const override;
+};
+
+/** Section `_insertOpts`: which points of an observation become measurements. */
+struct TInsertionOptions : public mrpt::config::CLoadableOptions
+{
+	double minZ = 0.1;                ///< least height of points of 3-D sensors, map frame [m]
+	double maxZ = 2.0;                ///< greatest height of points of 3-D sensors, map frame [m]
+	double minRange = 0.05;           ///< least distance from the sensor [m]
+	double maxRange = 80;             ///< greatest distance from the sensor [m]
+	double minDistBetweenPoints = 0;  ///< a point nearer to the one before it is left out [m]; 0: all are kept
+	double planarityTolerance = 5;    ///< greatest angle of the plane of a 2-D scan to the horizontal [deg]
+
+	/** Throws std::invalid_argument with name, value and range of the first field that is off. */
+	void validate() const;
+	void loadFromConfigFile(const mrpt::config::CConfigFileBase& source, const std::string& section) override;
+	void saveToConfigFile(mrpt::config::CConfigFileBase& target, const std::string& section) const override;
+	void dumpToTextStream(std::ostream& out) const override;
+};
+
+/** Which polylines the likelihood of a scan looks at. */
+enum class LikelihoodTarget : std::uint8_t
+{
+	ridges = 0,  ///< the strict ridges (default)
+	walls = 1    ///< the walls
+};
+
+/** Section `_likelihoodOpts`: beam-end mixture, log(zRand/zMax + zHit*exp(-d^2/(2 sigmaHit^2))) summed over the beams.
+ */
+struct TLikelihoodOptions : public mrpt::config::CLoadableOptions
+{
+	double zHit = 0.95;                                  ///< weight of beams that end on a polyline
+	double zRand = 0.05;                                 ///< weight of beams that end anywhere
+	double zMax = 80;                                    ///< range over which the latter are spread [m]
+	double sigmaHit = 0.2;                               ///< spread of beam ends about a polyline [m]
+	double maxDistance = 0.3;                            ///< distances to polylines are capped at this [m]
+	unsigned decimation = 10;                            ///< one of this number of beams is used
+	LikelihoodTarget target = LikelihoodTarget::ridges;  ///< which polylines
+
+	/** Throws std::invalid_argument with name, value and range of the first field that is off. */
+	void validate() const;
+	void loadFromConfigFile(const mrpt::config::CConfigFileBase& source, const std::string& section) override;
+	void saveToConfigFile(mrpt::config::CConfigFileBase& target, const std::string& section) const override;
+	void dumpToTextStream(std::ostream& out) const override;
+};
+
+/** Section `_renderOpts`: what the 3-D scene shows. */
+struct TRenderOptions : public mrpt::config::CLoadableOptions
+{
+	bool showWalls = true;                                       ///< draw the walls
+	bool showRidges = false;                                     ///< draw the strict ridges
+	bool showMeasurements = false;                               ///< draw the centroid of every lattice cell
+	mrpt::img::TColor wallColor{0x10, 0x20, 0x60};               ///< colour of the walls
+	mrpt::img::TColor ridgeColor{0xd0, 0x30, 0x10};              ///< colour of the ridges
+	mrpt::img::TColor measurementColor{0x80, 0x80, 0x80, 0x80};  ///< colour of the measurements
+	double lineWidth = 2;                                        ///< width of the lines [pixels]
+	double pointSize = 1;                                        ///< size of the points [pixels]
+
+	/** Throws std::invalid_argument with name, value and range of the first field that is off. */
+	void validate() const;
+	void loadFromConfigFile(const mrpt::config::CConfigFileBase& source, const std::string& section) override;
+	void saveToConfigFile(mrpt::config::CConfigFileBase& target, const std::string& section) const override;
+	void dumpToTextStream(std::ostream& out) const override;
+};
+
+/** All options of a CRidgeMap2D: one INI section each, `<prefix>_creationOpts` and so on. */
+struct MapOptions
+{
+	TCreationOptions creation;
+	TInsertionOptions insertion;
+	TLikelihoodOptions likelihood;
+	TRenderOptions render;
+
+	/** Throws std::exception with name, value and range of the first field that is off. */
+	void validate() const;
+
+	/** Loads the four sections; missing sections and keys leave the present values. Throws as their own loaders do; all
+	 * options are then as before. */
+	void loadFromConfigFile(const mrpt::config::CConfigFileBase& source, const std::string& sectionPrefix);
+
+	/** Writes the four sections with comments. */
+	void saveToConfigFile(mrpt::config::CConfigFileBase& target, const std::string& sectionPrefix) const;
+
+	/** The four sections as the text of a commented INI file. */
+	std::string toIniText(const std::string& sectionPrefix) const;
+
+	/** Sets one option by its key (case and underscores do not matter: `L_tol` is `lTol`). Throws std::exception naming
+	 * what is allowed for wrong values, and the nearest keys for an unknown one; the options are then as before. */
+	void setOption(const std::string& key, const std::string& value);
+
+	/** The value of one option as text, exact. Throws as setOption(). */
+	std::string getOption(const std::string& key) const;
+
+	/** All keys in the order of the sections; no key occurs twice. */
+	static std::vector<std::string> keys();
+};
+
+/** A complete commented INI file with the default options: `[<mapSection>]` with `ridgeMap_count = 1`, ready for MRPT
+ * programs, and the sections `[<mapSection>_ridgeMap_00_creationOpts]` and so on. */
+std::string defaultIniText(const std::string& mapSection = "map");
+
+}  // namespace ridgemap
