@@ -7,7 +7,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # shellcheck disable=SC2034
 {
 	build_packages=(g++ cmake make ninja-build ccache libeigen3-dev libmrpt-dev libmrpt-tclap-dev)
-	test_packages=(libgtest-dev mrpt-common mrpt-apps clang-format shellcheck git)
+	test_packages=(libgtest-dev libbenchmark-dev mrpt-common mrpt-apps clang-format shellcheck git)
 	demo_packages=(mrpt-common)
 }
 
