@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+namespace ridgemap::apps
+{
+/** An error that the user can do something about: what is wrong and what to do, each without a full stop. */
+class UserError : public std::runtime_error
+{
+ public:
+	UserError(const std::string& cause, const std::string& remedy) : std::runtime_error(cause + "; " + remedy) {}
+};
+
+/** The cause in one line: MRPT's exceptions carry several lines of locations and call stacks around it. */
+std::string oneLine(const std::exception& e);
+
+/** Runs a program: an exception becomes the line `program: error: ...` on stderr and a non-zero return code. */
+int runProgram(const char* program, int (*body)(int, char**), int argc, char** argv);
+
+}  // namespace ridgemap::apps

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ridgemap::apps
+{
+/** What the user asked ridgemap-build for. */
+struct CommandLine
+{
+	std::vector<std::string> inputs;
+	std::string prefix;                                         ///< of the files to write
+	std::string config;                                         ///< INI file with map options; empty: none
+	std::vector<std::pair<std::string, std::string>> settings;  ///< map options, in the order to apply them
+	std::string poses;                                          ///< file with poses; empty: none
+	bool odometry = false;
+	std::optional<std::uint64_t> shuffleSeed;
+	std::size_t batch = 0;  ///< measurements per update; 0: scan by scan
+	unsigned threads = 1;
+	std::set<std::string> formats;
+	bool quiet = false;
+	bool dumpConfig = false;
+};
+
+/** All names that --formats knows. */
+const std::vector<std::string>& allFormats();
+
+/** Throws UserError for wrong usage; nothing if the user asked for help or the version, which is then on stdout. */
+std::optional<CommandLine> parseCommandLine(int argc, char** argv);
+
+}  // namespace ridgemap::apps

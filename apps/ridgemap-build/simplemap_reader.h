@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mrpt/maps/CSimpleMap.h>
+
+#include "frame.h"
+
+namespace ridgemap::apps
+{
+/** Reads a CSimpleMap: every observation of its sensory frames at the mean of the pose stored with it. */
+class SimpleMapReader : public FrameReader
+{
+ public:
+	/** Loads the whole file: MRPT stores it as one object. */
+	explicit SimpleMapReader(const std::string& path);
+
+	bool next(Frame& frame) override;
+	double fraction() const override;
+	std::string poseSource() const override { return "simplemap"; }
+
+ private:
+	std::string path_;
+	mrpt::maps::CSimpleMap map_;
+	std::size_t index_ = 0;        ///< of the sensory frame
+	std::size_t observation_ = 0;  ///< within the sensory frame
+};
+
+}  // namespace ridgemap::apps
