@@ -44,7 +44,7 @@ void Options::validate() const
 	if (cell != 0 && cell != 1 && cell != 0.5 && cell != 0.25 && cell != 0.125)
 		reject("cell", cell, "1, 0.5, 0.25 or 0.125 sigma, or 0 to keep every measurement apart");
 	checkRange("cutoff", cutoff, 4, 8, " sigma");
-	checkRange("tileEdge", tileEdge, 8, 64, " sigma");
+	checkRange("tileEdge", tileEdge, 12, 64, " sigma");
 	if (std::fmod(tileEdge, 4) != 0) reject("tileEdge", tileEdge, "a multiple of 4 sigma");
 	checkRange("maxStep", maxStep, 0.1, 4, " sigma");
 	checkRange("minCurvature", minCurvature, 0, 1, "");

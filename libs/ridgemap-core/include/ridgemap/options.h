@@ -29,7 +29,7 @@ struct Options
 	double dTol = 4;  ///< d_tol: longest stretch of ridge without a measurement [sigma], 0.5 .. 4
 	double cell = 0.5;	///< edge of a lattice cell [sigma]: 1, 1/2, 1/4 or 1/8; 0: every measurement kept apart
 	double cutoff = 5;	///< kernels farther than this may be left out [sigma], 4 .. 8
-	double tileEdge = 16;  ///< edge of a tile, the unit of update [sigma]: a multiple of 4, 8 .. 64
+	double tileEdge = 16;  ///< edge of a tile, the unit of update [sigma]: a multiple of 4, 12 .. 64
 	double maxStep = 2;	 ///< longest segment [sigma], 0.1 .. 4
 	double minCurvature = 0.3;	///< least -lambda1/L on a ridge [1/sigma^2], 0 .. 1; removes rungs between walls
 	double minEigenGap = 0.05;	///< least (lambda2-lambda1)/|lambda1| on a ridge, 0 .. 1; stops at umbilic points

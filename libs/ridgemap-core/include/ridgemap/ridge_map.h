@@ -127,7 +127,7 @@ class RidgeMap
 	/** Continuous occupancy and its derivatives at a point of the map frame, equations (2)-(4). */
 	OccupancySample occupancy(const Point2& p) const;
 
-	/** Box around all lattice cells that hold measurements (grown by at most one cell), empty for an empty map. */
+	/** Box around the centroids of all occupied lattice cells, empty for an empty map. */
 	Box2 boundingBox() const;
 
 	MapStatistics statistics() const;

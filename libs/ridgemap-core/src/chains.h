@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ridgemap/ridge_map.h>
+
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "frame.h"
+#include "tile.h"
+
+namespace ridgemap
+{
+/** Tiles whose pieces were replaced, with the polylines that their old pieces belonged to. */
+struct ReplacedTile
+{
+	TileKey key;
+	std::vector<PolylineId> oldChains;
+};
+
+/** Joins the pieces of all tiles at their crossings into polylines (paper section IV: "connect them at the region's
+ * boundary"). Only polylines that touch a replaced tile are assembled anew. Order and direction are canonical. */
+class Chains
+{
+   public:
+	/** Brings the polylines up to date; adds to vanished and appeared of the result. */
+	void update(TileStore& tiles, const std::vector<ReplacedTile>& replaced, UpdateResult& result);
+
+	void clear() { chains_.clear(); }
+
+	/** All polylines in canonical order. */
+	std::vector<Polyline> polylines(const TileStore& tiles, const Frame& frame) const;
+	/** One polyline; throws std::out_of_range if there is none of this name. */
+	Polyline polyline(PolylineId id, const TileStore& tiles, const Frame& frame) const;
+
+   private:
+	struct PieceRef
+	{
+		TileKey tile;
+		int piece = 0;
+		bool reversed = false;
+	};
+	struct Chain
+	{
+		std::vector<PieceRef> pieces;
+		bool closed = false;
+	};
+
+	static bool comesBefore(const PieceRef& a, const PieceRef& b);
+	static const PieceEnd& lastEnd(const TileStore& tiles, const PieceRef& r);
+	static bool next(const TileStore& tiles, const PieceRef& from, PieceRef& to);
+	static Chain assemble(const TileStore& tiles, const PieceRef& any);
+	static Polyline materialise(const Chain& chain, const TileStore& tiles, const Frame& frame);
+
+	std::unordered_map<PolylineId, Chain> chains_;
+	PolylineId nextId_ = 1;
+};
+
+/** Number of crossings of a tile's left and bottom border that only one side continues. */
+std::size_t countUnstitched(const TileStore& tiles, TileKey key);
+
+}  // namespace ridgemap

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ridgemap/options.h>
+
+#include <array>
+#include <vector>
+
+#include "kernel_sum.h"
+#include "tile.h"
+
+namespace ridgemap
+{
+/** Counts of the work done through a field. */
+struct FieldWork
+{
+	std::size_t evaluations = 0;
+	std::size_t kernels = 0;
+};
+
+/** The continuous occupancy around one tile, in the frame of the tile [sigma], in kernels.
+ *
+ * A value depends only on the point and on the cells of the blocks within the cut-off, never on the tile through which
+ * it is asked for, as long as the point is exact in both frames. Points are confined to `inDomain`: that bounds what a
+ * tile's polylines can depend on, so that exactly the tiles of `dependents()` change with a block. Not thread-safe
+ * (it counts its work); make one per tile and thread. */
+class TileField
+{
+   public:
+	/** How far outside its tile a field may be asked [sigma]. */
+	static constexpr double margin = 3;
+
+	TileField(const TileStore& store, TileKey key, const Options& options);
+
+	/** Number of blocks around a tile that its field can depend on. */
+	static int haloBlocks(double cutoff);
+
+	/** No kernel is within reach of the tile. */
+	bool empty() const { return nonEmpty_ == 0; }
+	double tileEdge() const { return edge_; }
+	bool inDomain(Vec2 p) const
+	{
+		return p.x >= -margin && p.y >= -margin && p.x <= edge_ + margin && p.y <= edge_ + margin;
+	}
+
+	/** L and its derivatives at a point of the domain. */
+	KernelSums sample(Vec2 p) const;
+
+	/** Sum of the weights of all kernels that the tile can depend on. */
+	double totalWeight() const { return totalWeight_; }
+
+	/** Calls fn(place, weight) for the kernels in the blocks that come within `radius` of p, in canonical order. */
+	template <class Fn>
+	void forEachKernelNear(Vec2 p, double radius, Fn fn) const
+	{
+		const Range x = range(p.x, radius), y = range(p.y, radius);
+		for (int by = y.first; by <= y.last; by++)
+			for (int bx = x.first; bx <= x.last; bx++)
+			{
+				const Block* b = block(bx, by);
+				if (!b) continue;
+				const Vec2 c = centre(bx, by);
+				for (std::size_t i = 0; i < b->cells.size(); i++)
+				{
+					const KernelGroup& g = b->kernels[i / 8];
+					fn(Vec2{c.x + double(g.x[i % 8]), c.y + double(g.y[i % 8])}, double(g.w[i % 8]));
+				}
+			}
+	}
+
+	const FieldWork& work() const { return work_; }
+
+   private:
+	struct Range
+	{
+		int first, last;
+	};
+	Range range(double coordinate, double radius) const;
+	const Block* block(int bx, int by) const { return blocks_[std::size_t((by + halo_) * side_ + bx + halo_)]; }
+	static Vec2 centre(int bx, int by) { return {4.0 * bx + 2.0, 4.0 * by + 2.0}; }
+
+	double edge_;
+	double cutoff_;
+	int halo_;	///< blocks beyond the tile on each side
+	int side_;	///< blocks along one side of the neighbourhood
+	std::vector<const Block*> blocks_;	///< row by row; nullptr where there is no kernel
+	std::size_t nonEmpty_ = 0;
+	double totalWeight_ = 0;
+	mutable std::vector<BlockView> views_;
+	mutable FieldWork work_;
+};
+
+}  // namespace ridgemap

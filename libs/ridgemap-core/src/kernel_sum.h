@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+
+#include "kernel_block.h"
+
+namespace ridgemap
+{
+/** The kernels of one block as seen from a query point: the point relative to the block centre [sigma]. */
+struct BlockView
+{
+	const KernelGroup* groups = nullptr;
+	std::size_t count = 0;	///< number of groups of eight
+	float dx = 0, dy = 0;
+};
+
+/** Sums of all kernels and of their derivatives, equations (2)-(4) and the third derivatives; unit sigma, kernels. */
+struct KernelSums
+{
+	double value = 0;
+	double gx = 0, gy = 0;
+	double hxx = 0, hxy = 0, hyy = 0;
+	double txxx = 0, txxy = 0, txyy = 0, tyyy = 0;
+};
+
+/** Sums the kernels of the given blocks. Every lane adds in the order of the blocks and groups and the lanes are added
+ * in a fixed tree, with IEEE single-precision operations that are never contracted: the same bits on every machine.
+ * The fastest variant that the processor has is chosen at run time. */
+KernelSums sumKernels(const BlockView* views, std::size_t count);
+
+}  // namespace ridgemap

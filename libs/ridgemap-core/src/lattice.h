@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ridgemap/ridge_map.h>
+
+#include <unordered_set>
+#include <vector>
+
+#include "frame.h"
+#include "kernel_block.h"
+#include "tile.h"
+
+namespace ridgemap
+{
+/** Column and row of a block of cells. */
+struct BlockIndex
+{
+	std::int64_t x = 0, y = 0;
+	friend bool operator==(BlockIndex a, BlockIndex b) { return a.x == b.x && a.y == b.y; }
+	friend bool operator<(BlockIndex a, BlockIndex b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
+};
+
+struct BlockIndexHash
+{
+	std::size_t operator()(BlockIndex b) const { return TileKeyHash()({std::int32_t(b.x), std::int32_t(b.y)}); }
+};
+
+/** The measurements of a map: exact integer sums per cell, kept in the blocks of the tiles. Every change is checked as
+ * a whole before anything is changed. */
+class Lattice
+{
+   public:
+	explicit Lattice(const Options& options);
+
+	const Frame& frame() const { return frame_; }
+	const CellGrid& grid() const { return grid_; }
+	TileStore& tiles() { return tiles_; }
+	const TileStore& tiles() const { return tiles_; }
+	std::uint64_t measurements() const { return measurements_; }
+
+	void insert(const std::vector<Measurement>& m) { apply(deltas(m), +1); }
+	void erase(const std::vector<Measurement>& m) { apply(deltas(m), -1); }
+	void insertCells(const std::vector<CellRecord>& cells);
+	void merge(const Lattice& o) { apply(o.allCells(), +1); }
+	void subtract(const Lattice& o) { apply(o.allCells(), -1); }
+	void clear();
+
+	/** All occupied cells, canonical order: blocks row by row, then by key. */
+	std::vector<CellRecord> cells() const;
+	std::vector<Point2> centroids() const;
+	Box2 boundingBox() const;
+
+	bool hasChanged() const { return !changed_.empty(); }
+	/** Rebuilds the kernels of the blocks changed since the last call and returns their indices in canonical order. */
+	std::vector<BlockIndex> refresh();
+
+   private:
+	/** What to add to or take from one cell. */
+	struct Delta
+	{
+		BlockIndex block;
+		CellKey key = 0;
+		std::uint64_t n = 0;
+		std::int64_t sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
+	};
+
+	std::vector<Delta> deltas(const std::vector<Measurement>& m) const;
+	std::vector<Delta> allCells() const;
+	static Delta makeDelta(BlockIndex block, CellKey key, const CellSums& s);
+	/** Sorts by cell and adds up what goes to the same one. */
+	static void combine(std::vector<Delta>& deltas);
+	void apply(std::vector<Delta> deltas, int sign);
+	CellSums changed(const Delta& d, int sign) const;
+	const Block* findBlock(BlockIndex b) const;
+	std::size_t slot(BlockIndex b) const;
+	template <class Fn>
+	void forEachBlock(Fn fn) const;
+
+	Frame frame_;
+	CellGrid grid_;
+	TileStore tiles_;
+	std::uint64_t measurements_ = 0;
+	std::unordered_set<BlockIndex, BlockIndexHash> changed_;
+};
+
+}  // namespace ridgemap

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ridgemap/options.h>
+
+#include "kernel_sum.h"
+#include "vec2.h"
+
+namespace ridgemap
+{
+/** A place in the occupancy with everything the ridge criterion needs. Unit sigma, L in kernels. */
+struct RidgePoint
+{
+	Vec2 p;
+	double occupancy = 0;  ///< L
+	Vec2 gradient;
+	double lambda1 = 0, lambda2 = 0;  ///< eigenvalues of the Hessian, lambda1 <= lambda2
+	Vec2 v1, v2;  ///< their unit eigenvectors, sign arbitrary
+	double f = 0;  ///< <grad L, v1>: zero on a ridge; its absolute value is the ridge function R, equation (8)
+	Vec2 df;  ///< exact gradient of f for a v1 that is carried along continuously
+
+	/** Signed distance along `direction` to where f vanishes, to first order. */
+	double newtonStep(Vec2 direction) const { return -f / dot(df, direction); }
+
+	/** Unit tangent of the ridge, perpendicular to df, on the same side as `towards`. */
+	Vec2 tangent(Vec2 towards) const
+	{
+		const Vec2 t = unit({-df.y, df.x});
+		return dot(t, towards) < 0 ? -t : t;
+	}
+};
+
+/** Eigenvectors, f and its gradient from the sums at p: equations (5)-(8), and
+ * grad f = lambda1 v1 + <g, v2>/(lambda1 - lambda2) T(v1, v2, .). */
+RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s);
+
+/** The ridge is attractive and distinct here: lambda1 < 0, curved and separated enough. Says nothing of f. */
+bool isRidgeLike(const RidgePoint& r, const Options& options);
+
+}  // namespace ridgemap

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ridgemap/types.h>
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "kernel_block.h"
+#include "vec2.h"
+
+namespace ridgemap
+{
+/** Column and row of a tile. */
+struct TileKey
+{
+	std::int32_t x = 0;
+	std::int32_t y = 0;
+
+	friend bool operator==(TileKey a, TileKey b) { return a.x == b.x && a.y == b.y; }
+	friend bool operator!=(TileKey a, TileKey b) { return !(a == b); }
+	/** Canonical order: row by row. */
+	friend bool operator<(TileKey a, TileKey b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
+};
+
+struct TileKeyHash
+{
+	std::size_t operator()(TileKey k) const
+	{
+		std::uint64_t h = (std::uint64_t(std::uint32_t(k.x)) << 32) | std::uint32_t(k.y);
+		h ^= h >> 31;
+		h *= 0x9e3779b97f4a7c15u;
+		return std::size_t(h ^ (h >> 29));
+	}
+};
+
+/** Where a ridge passes from one tile to the next. In the frame of the tile that owns the edge. */
+struct Crossing
+{
+	Vec2 p;	 ///< on the ridge and on the border [sigma]
+	Vec2 tangent;  ///< unit tangent of the ridge, either sense
+	double s = 0;  ///< arc length along the border from the start of the edge [sigma]
+
+	bool operator==(const Crossing& o) const { return p == o.p && tangent == o.tangent && s == o.s; }
+};
+
+/** The border between two tiles, from corner to corner. Straight, unless a ridge runs along it: borders give way to
+ * ridges, so that every crossing is transversal. */
+struct Edge
+{
+	std::vector<Vec2> path;	 ///< vertices, frame of the owning tile [sigma]
+	std::vector<Crossing> crossings;  ///< in the order of s
+
+	bool operator==(const Edge& o) const { return path == o.path && crossings == o.crossings; }
+};
+
+/** Sides of a tile, in the order in which their crossings are traced. */
+enum Side : int
+{
+	bottomSide = 0,
+	leftSide = 1,
+	topSide = 2,
+	rightSide = 3
+};
+
+/** One end of a piece. */
+struct PieceEnd
+{
+	StopReason reason = StopReason::belowThreshold;
+	int side = -1;	///< side of the tile on which the piece ends at a crossing, -1: a free end
+	int crossing = -1;	///< number of the crossing on that side
+
+	bool operator==(const PieceEnd& o) const { return reason == o.reason && side == o.side && crossing == o.crossing; }
+};
+
+/** The part of a polyline that lies in one tile. */
+struct Piece
+{
+	std::vector<Vec2> nodes;  ///< frame of the tile [sigma]
+	PieceEnd start, end;
+	bool closed = false;
+
+	bool operator==(const Piece& o) const
+	{
+		return nodes == o.nodes && start == o.start && end == o.end && closed == o.closed;
+	}
+};
+
+/** A square of the plane with all that belongs to it: cells and kernels, lower-left corner, lower and left border, and
+ * the pieces of polyline. Everything but the cells is a pure function of the cells in and around the tile. */
+struct Tile
+{
+	std::vector<Block> blocks;	///< row by row
+	Vec2 corner;  ///< lower-left corner, frame of the tile; (0,0) unless a ridge passes there [sigma]
+	Edge bottom;  ///< from this tile's corner to that of the tile on the right
+	Edge left;	///< from this tile's corner to that of the tile above
+	std::vector<Piece> pieces;
+	std::vector<std::uint64_t> chainOfPiece;  ///< polyline that each piece belongs to, 0: none yet
+	std::uint64_t cellCount = 0;
+};
+
+/** All tiles of a map by their key. Tiles that hold nothing need not exist. */
+class TileStore
+{
+   public:
+	explicit TileStore(int blocksPerEdge) : blocksPerEdge_(blocksPerEdge) {}
+	TileStore(const TileStore& o);
+	TileStore& operator=(const TileStore& o);
+	TileStore(TileStore&&) = default;
+	TileStore& operator=(TileStore&&) = default;
+
+	int blocksPerEdge() const { return blocksPerEdge_; }
+	double tileEdge() const { return double(blocksPerEdge_ * Frame::blockEdge); }
+
+	const Tile* find(TileKey key) const
+	{
+		const auto it = tiles_.find(key);
+		return it == tiles_.end() ? nullptr : it->second.get();
+	}
+	Tile* find(TileKey key) { return const_cast<Tile*>(static_cast<const TileStore*>(this)->find(key)); }
+	/** The tile of this key, made if need be. */
+	Tile& at(TileKey key);
+	void remove(TileKey key) { tiles_.erase(key); }
+	void clear() { tiles_.clear(); }
+	std::size_t size() const { return tiles_.size(); }
+	/** Keys of all tiles in canonical order. */
+	std::vector<TileKey> keys() const;
+
+	TileKey tileOfBlock(std::int64_t bx, std::int64_t by) const
+	{
+		return {std::int32_t(floorDiv(bx, blocksPerEdge_)), std::int32_t(floorDiv(by, blocksPerEdge_))};
+	}
+	/** A point of the plane, relative to the lower-left corner of a tile, as lattice coordinates. */
+	Vec2 toLattice(TileKey key, Vec2 p) const { return {double(key.x) * tileEdge() + p.x, double(key.y) * tileEdge() + p.y}; }
+
+   private:
+	int blocksPerEdge_;
+	std::unordered_map<TileKey, std::unique_ptr<Tile>, TileKeyHash> tiles_;
+};
+
+}  // namespace ridgemap

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// All ridges of one tile: from the crossings of its border, then from the measurements that no ridge covers yet
+// (paper section V-A).
+#include <algorithm>
+#include <optional>
+
+#include "seeds.h"
+#include "tracer.h"
+
+namespace ridgemap
+{
+namespace
+{
+constexpr double coverDistance = 0.8;  ///< measurements within this of a piece start no ridge [sigma]
+constexpr double seedMargin = 1.5;	///< measurements up to this far outside a tile may start ridges in it [sigma]
+constexpr double leastLength = 0.02;  ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
+
+double lengthOf(const std::vector<Vec2>& nodes)
+{
+	double sum = 0;
+	for (std::size_t i = 1; i < nodes.size(); i++) sum += norm(nodes[i] - nodes[i - 1]);
+	return sum;
+}
+
+class TileTracer
+{
+   public:
+	TileTracer(const TileField& field, TileBorder& border, const Options& options)
+		: field_(field), border_(border), options_(options), tracer_(field, border, options, result_.pieces)
+	{
+	}
+
+	TileTrace run()
+	{
+		for (TileBorder::Port& port : border_.ports()) fromCrossing(port);
+		if (!field_.empty()) fromMeasurements();
+		return std::move(result_);
+	}
+
+   private:
+	void fromCrossing(TileBorder::Port& port)
+	{
+		if (port.consumed) return;
+		port.consumed = true;
+		const RidgePoint start = tracer_.evaluate(port.crossing.p);
+		if (tracer_.onPolyline(start.p, port.inward)) return;
+		RidgeTracer::Walk walk = tracer_.walk(start, port.inward);
+		Piece piece;
+		piece.start = {StopReason::crossing, port.side, port.index};
+		finish(walk);
+		piece.end = walk.end;
+		piece.nodes = std::move(walk.nodes);
+		if (piece.nodes.size() >= 2) add(std::move(piece));
+	}
+
+	void fromMeasurements()
+	{
+		const double edge = field_.tileEdge(), half = 0.5 * edge;
+		// Collected first: tracing must not depend on how far the loop over kernels has come.
+		std::vector<Vec2> starts;
+		field_.forEachKernelNear({half, half}, half + seedMargin,
+								 [&](Vec2 q, double)
+								 {
+									 if (q.x >= -seedMargin && q.y >= -seedMargin && q.x <= edge + seedMargin &&
+										 q.y <= edge + seedMargin)
+										 starts.push_back(q);
+								 });
+		for (const Vec2& q : starts)
+			if (!covered(q, coverDistance)) fromMeasurement(q);
+	}
+
+	void fromMeasurement(Vec2 q)
+	{
+		result_.seeds++;
+		const std::optional<RidgePoint> seed = findRidge(field_, options_, q);
+		if (!seed || !border_.contains(seed->p) || covered(seed->p, 0.1)) return;
+		const Vec2 tangent = seed->tangent(seed->v2);
+		RidgeTracer::Walk forward = tracer_.walk(*seed, tangent);
+		finish(forward);
+		Piece piece;
+		if (forward.closed)
+		{
+			piece.closed = true;
+			piece.start.reason = piece.end.reason = StopReason::closedLoop;
+			piece.nodes = std::move(forward.nodes);
+			add(std::move(piece));
+			return;
+		}
+		RidgeTracer::Walk backward = tracer_.walk(*seed, -tangent);
+		finish(backward);
+		piece.start = backward.end;
+		piece.end = forward.end;
+		piece.nodes.assign(backward.nodes.rbegin(), backward.nodes.rend());
+		piece.nodes.insert(piece.nodes.end(), forward.nodes.begin() + 1, forward.nodes.end());
+		const bool freeEnds = piece.start.side < 0 && piece.end.side < 0;
+		if (piece.nodes.size() >= 2 && (!freeEnds || lengthOf(piece.nodes) >= leastLength)) add(std::move(piece));
+	}
+
+	/** Trims a free end and takes the crossing that a walk reached. */
+	void finish(RidgeTracer::Walk& walk)
+	{
+		if (walk.end.side >= 0)
+		{
+			for (TileBorder::Port& port : border_.ports())
+				if (port.side == walk.end.side && port.index == walk.end.crossing) port.consumed = true;
+		}
+		else if (!walk.closed && walk.end.reason != StopReason::hitPolyline)
+			tracer_.trimToMeasurements(walk);
+		result_.stops[std::size_t(walk.end.reason)]++;
+	}
+
+	bool covered(Vec2 p, double distance) const
+	{
+		for (const Piece& piece : result_.pieces)
+			for (std::size_t i = 1; i < piece.nodes.size(); i++)
+				if (footOnSegment(piece.nodes[i - 1], piece.nodes[i], p).distance < distance) return true;
+		return false;
+	}
+
+	void add(Piece&& piece) { result_.pieces.push_back(std::move(piece)); }
+
+	const TileField& field_;
+	TileBorder& border_;
+	const Options& options_;
+	TileTrace result_;
+	RidgeTracer tracer_;
+};
+}  // namespace
+
+TileTrace traceTile(const TileField& field, TileBorder& border, const Options& options)
+{
+	return TileTracer(field, border, options).run();
+}
+
+}  // namespace ridgemap

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "tracer.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "border.h"
+
+namespace ridgemap
+{
+namespace
+{
+constexpr double minStep = 0.1;	 ///< below this a step is not shortened for accuracy [sigma]
+constexpr double endResolution = 0.02;	///< how closely the end of a ridge is approached [sigma]
+constexpr double acceptedShare = 0.7;  ///< share of eps that the estimated error of a segment may use
+constexpr int maxNodes = 4000;
+constexpr int maxRelaxations = 12;
+
+/** Deviation of the cubic Hermite curve from its chord of length h, for end slopes m0 and m1. */
+double hermite(double h, double m0, double m1, double t) { return h * (m0 * t * (1 - t) * (1 - t) - m1 * t * t * (1 - t)); }
+
+/** Upper bound of exp(-x) by the series of exp(x). */
+double expMinusBound(double x)
+{
+	double sum = 1, term = 1;
+	for (int k = 1; k <= 30; k++)
+	{
+		term *= x / k;
+		sum += term;
+	}
+	return 1 / sum;
+}
+}  // namespace
+
+/** Where a walk stands. */
+struct RidgeTracer::State
+{
+	RidgePoint point;
+	Vec2 tangent;  ///< unit, in the direction of the walk
+	double curvature = 0;  ///< of the last segment, positive to the left [1/sigma]
+	double walked = 0;	///< arc length so far [sigma]
+	RidgePoint start;
+	Vec2 startTangent;
+};
+
+RidgeTracer::RidgeTracer(const TileField& field, TileBorder& border, const Options& options, const std::vector<Piece>& pieces)
+	: field_(field), border_(border), options_(options), pieces_(pieces), eps_(options.effectiveEps() / options.sigma)
+{
+	tolerance_ = std::max(1e-5, std::min(1e-3, 0.05 * eps_));
+}
+
+RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) const
+{
+	Walk walk;
+	walk.nodes = {start.p};
+	State state;
+	state.point = state.start = start;
+	state.tangent = state.startTangent = start.tangent(direction);
+	double h = std::min(options_.maxStep, 1.0);
+	double ahead = std::numeric_limits<double>::infinity();	 // where the ridge is known to end
+	StopReason reason = StopReason::workLimit;
+	while (walk.nodes.size() < maxNodes)
+	{
+		const Proposal step = propose(state, h);
+		if (!step.next.converged || step.exits)
+		{
+			reason = step.exits ? StopReason::unregisteredExit : step.next.reason;
+			if (reason == StopReason::belowThreshold || reason == StopReason::unregisteredExit) ahead = h;
+			h *= 0.5;
+			if (h < endResolution) break;
+			continue;
+		}
+		const RidgePoint& next = step.next.point;
+		const Vec2 tangent = next.tangent(next.p - state.point.p);
+		const Verdict verdict = verify(state.point, state.tangent, next, tangent);
+		if (!verdict.accepted && h > minStep && options_.stepRule == StepRule::error)
+		{
+			h = std::max(minStep, h * std::max(0.25, std::min(0.7, std::sqrt(0.5 * eps_ / verdict.error))));
+			continue;
+		}
+		if (!verdict.accepted && !std::isfinite(verdict.error))
+		{
+			reason = StopReason::notARidge;
+			h *= 0.5;
+			if (h < endResolution) break;
+			continue;
+		}
+		if (!step.port && onPolyline(next.p, tangent))
+		{
+			reason = StopReason::hitPolyline;
+			break;
+		}
+		if (closesLoop(state, next))
+		{
+			walk.nodes.push_back(state.start.p);
+			walk.closed = true;
+			reason = StopReason::closedLoop;
+			break;
+		}
+		if (options_.stepRule == StepRule::paper && step.next.distance > 0.75) insertMiddleNode(state.point, next, walk.nodes);
+		walk.nodes.push_back(next.p);
+		if (step.port)
+		{
+			walk.end.side = step.port->side;
+			walk.end.crossing = step.port->index;
+			reason = StopReason::crossing;
+			break;
+		}
+		const double length = norm(next.p - state.point.p);
+		state.curvature = length > 0 ? cross(state.tangent, tangent) / length : 0;
+		state.point = next;
+		state.tangent = tangent;
+		state.walked += length;
+		if (!measurementNear(next, tangent))
+		{
+			reason = StopReason::noMeasurement;
+			break;
+		}
+		ahead -= length;
+		if (ahead < endResolution) break;
+		h = std::min({nextStep(h, step.next, verdict), options_.maxStep, std::max(endResolution, 0.6 * ahead)});
+	}
+	walk.end.reason = reason;
+	return walk;
+}
+
+RidgeTracer::Proposal RidgeTracer::propose(const State& state, double h) const
+{
+	Proposal proposal;
+	Vec2 x;
+	if (options_.stepRule == StepRule::paper)
+		x = state.point.p + (dot(state.point.v2, state.tangent) < 0 ? -h : h) * state.point.v2;	 // section V-B1
+	else
+	{
+		const double bend = std::max(-0.5, std::min(0.5, 0.5 * h * state.curvature));
+		x = state.point.p + h * (state.tangent + bend * leftNormal(state.tangent));
+	}
+	if (!border_.contains(x))
+	{
+		finishAtBorder(state, h, x, proposal);
+		return proposal;
+	}
+	proposal.next = relax(x, leftNormal(unit(x - state.point.p)), state.point.v1, std::max(0.5, 0.75 * h));
+	if (proposal.next.converged && !border_.contains(proposal.next.point.p))
+		finishAtBorder(state, h, proposal.next.point.p, proposal);
+	return proposal;
+}
+
+/** The step leaves the tile: end it at the crossing that is there. False if there is none. */
+bool RidgeTracer::finishAtBorder(const State& state, double h, Vec2 outside, Proposal& proposal) const
+{
+	proposal.exits = true;
+	const auto exit = border_.exit(state.point.p, outside);
+	if (!exit) return false;
+	TileBorder::Port* port = border_.match(*exit, state.tangent, 0.3 + 0.3 * h);
+	if (!port) return false;
+	proposal.exits = false;
+	proposal.port = port;
+	proposal.next.point = evaluate(port->crossing.p);
+	proposal.next.converged = true;
+	return true;
+}
+
+RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double reach) const
+{
+	Relaxed result;
+	double moved = 0;
+	for (int i = 0; i < maxRelaxations; i++)
+	{
+		const Vec2 p = x + moved * normal;
+		if (!field_.inDomain(p)) return result;
+		const RidgePoint r = evaluate(p);
+		const double orientation = dot(r.v1, normal);
+		if (r.occupancy < 0.3 * options_.lTol)
+		{
+			result.reason = StopReason::belowThreshold;
+			return result;
+		}
+		if (r.lambda1 >= 0 || std::abs(orientation) < 0.3)
+		{
+			result.reason = StopReason::notARidge;
+			return result;
+		}
+		// f and its derivative along the normal; where the exact derivative points the wrong way, lambda1 leads uphill.
+		double slope = dot(r.df, normal);
+		const double uphill = r.lambda1 * orientation;
+		if (slope / uphill < 0.2) slope = uphill;
+		const double step = std::max(-0.5, std::min(0.5, -r.f / slope));
+		if (std::abs(step) < tolerance_)
+		{
+			result.point = r;
+			result.distance = std::abs(moved);
+			result.reason = r.occupancy < options_.lTol ? StopReason::belowThreshold : StopReason::notARidge;
+			result.converged = r.occupancy >= options_.lTol && isRidgeLike(r, options_) && std::abs(dot(r.v1, v1)) > 0.5;
+			return result;
+		}
+		moved += step;
+		if (std::abs(moved) > reach) return result;
+	}
+	return result;
+}
+
+/** Estimates the distance between the segment a-b and the ridge: from the end tangents (cubic Hermite), then from f at
+ * the middle, and at the quarters where the two disagree. An infinite error means that the ridge does not follow. */
+RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, const RidgePoint& b, Vec2 tangentB) const
+{
+	const Vec2 chord = b.p - a.p;
+	const double h = norm(chord);
+	if (h < endResolution) return {true, 0};
+	const Vec2 along = (1 / h) * chord, normal = leftNormal(along);
+	const double ca = dot(tangentA, along), cb = dot(tangentB, along);
+	const double none = std::numeric_limits<double>::infinity();
+	if (ca < 0.3 || cb < 0.3) return {false, none};
+	const double limit = acceptedShare * eps_;
+	const double m0 = dot(tangentA, normal) / ca, m1 = dot(tangentB, normal) / cb;
+	const auto guess = [&](double t) { return hermite(h, m0, m1, t); };
+	double error = std::max({std::abs(guess(0.25)), std::abs(guess(0.5)), std::abs(guess(0.75))});
+	if (error > limit) return {false, error};
+	const auto offset = [&](double t)
+	{
+		const RidgePoint r = evaluate(a.p + t * chord);
+		if (!isRidgeLike(r, options_) || std::abs(dot(r.v1, normal)) < 0.6) return none;
+		return r.newtonStep(normal);
+	};
+	const double middle = offset(0.5);
+	error = std::max(error, std::abs(middle));
+	const double surprise = std::abs(middle - guess(0.5));
+	if (surprise > 0.2 * eps_ && error <= limit)
+		error = std::max({error, std::abs(offset(0.25)), std::abs(offset(0.75))});
+	else
+		error = std::max(error, std::abs(middle) + 0.5 * surprise);
+	return {error <= limit, error};
+}
+
+bool RidgeTracer::insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<Vec2>& nodes) const
+{
+	const Relaxed middle = relax(0.5 * (a.p + b.p), leftNormal(unit(b.p - a.p)), a.v1, 1);
+	if (middle.converged && border_.contains(middle.point.p)) nodes.push_back(middle.point.p);
+	return middle.converged;
+}
+
+double RidgeTracer::nextStep(double h, const Relaxed& relaxed, const Verdict& verdict) const
+{
+	if (options_.stepRule == StepRule::paper)  // section V-B3
+		return relaxed.distance > 0.75 ? 0.5 * h : relaxed.distance < 0.25 ? 2 * h : h;
+	const double aim = 0.6 * acceptedShare * eps_;
+	const double factor = std::sqrt(aim / std::max(verdict.error, 0.05 * aim));
+	return std::max(minStep, h * std::max(0.5, std::min(2.0, factor)));
+}
+
+bool RidgeTracer::closesLoop(const State& state, const RidgePoint& next) const
+{
+	if (state.walked < 2 || state.walked < 2 * norm(next.p - state.point.p)) return false;
+	const SegmentFoot foot = footOnSegment(state.point.p, next.p, state.start.p);
+	return foot.distance < eps_ && foot.t > 0 && dot(state.startTangent, state.tangent) > 0.7 &&
+		   foot.t * norm(next.p - state.point.p) > 1e-6;
+}
+
+bool RidgeTracer::onPolyline(Vec2 p, Vec2 direction) const
+{
+	for (const Piece& piece : pieces_)
+		for (std::size_t i = 1; i < piece.nodes.size(); i++)
+		{
+			const Vec2 a = piece.nodes[i - 1], b = piece.nodes[i];
+			if (footOnSegment(a, b, p).distance < 1.5 * eps_ && std::abs(dot(unit(b - a), direction)) > 0.8) return true;
+		}
+	return false;
+}
+
+bool RidgeTracer::measurementNear(const RidgePoint& r, Vec2 tangent) const
+{
+	// L >= L_tol needs a kernel within d_tol unless very many lie farther away.
+	if (field_.totalWeight() * expMinusBound(0.5 * options_.dTol * options_.dTol) < options_.lTol) return true;
+	const double reach = options_.dTol + CellGrid(options_.cell).halfExtent();
+	bool near = false;
+	field_.forEachKernelNear(r.p, options_.dTol + supportWidth,
+							 [&](Vec2 q, double)
+							 {
+								 const Vec2 d = q - r.p;
+								 near = near || (std::abs(dot(d, tangent)) <= reach && std::abs(cross(tangent, d)) <= supportWidth);
+							 });
+	return near;
+}
+
+void RidgeTracer::trimToMeasurements(Walk& walk) const
+{
+	// The last stretch, as arc length back from the end.
+	const double window = options_.dTol + 1;
+	std::size_t first = walk.nodes.size() - 1;
+	double length = 0;
+	while (first > 0 && length < window)
+	{
+		length += norm(walk.nodes[first] - walk.nodes[first - 1]);
+		first--;
+	}
+	double back = length;
+	const double extent = CellGrid(options_.cell).halfExtent();
+	field_.forEachKernelNear(walk.nodes.back(), window + supportWidth,
+							 [&](Vec2 q, double)
+							 {
+								 double behind = 0, bestBehind = length, best = supportWidth;
+								 for (std::size_t i = walk.nodes.size() - 1; i > first; i--)
+								 {
+									 const SegmentFoot foot = footOnSegment(walk.nodes[i], walk.nodes[i - 1], q);
+									 const double segment = norm(walk.nodes[i] - walk.nodes[i - 1]);
+									 if (foot.distance < best)
+									 {
+										 best = foot.distance;
+										 bestBehind = behind + foot.t * segment;
+									 }
+									 behind += segment;
+								 }
+								 back = std::min(back, std::max(0.0, bestBehind - extent));
+							 });
+	if (back <= 0) return;
+	if (walk.end.reason == StopReason::unregisteredExit) walk.end.reason = StopReason::noMeasurement;
+	Vec2 cut = walk.nodes.back(), normal;
+	while (walk.nodes.size() > 1 && back > 0)
+	{
+		const Vec2 b = walk.nodes.back(), a = walk.nodes[walk.nodes.size() - 2];
+		const double segment = norm(b - a);
+		walk.nodes.pop_back();
+		if (segment <= back)
+		{
+			back -= segment;
+			continue;
+		}
+		normal = leftNormal((1 / segment) * (b - a));
+		cut = b + (back / segment) * (a - b);
+		const Relaxed end = relax(cut, normal, normal, eps_);
+		walk.nodes.push_back(end.converged && border_.contains(end.point.p) ? end.point.p : cut);
+		break;
+	}
+}
+
+}  // namespace ridgemap

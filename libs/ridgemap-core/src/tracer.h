@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Construction of one ridge inside one tile (paper section V).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "field.h"
+#include "ridge_point.h"
+#include "tile_border.h"
+
+namespace ridgemap
+{
+/** What tracing a tile came to. */
+struct TileTrace
+{
+	std::vector<Piece> pieces;
+	std::array<std::size_t, std::size_t(StopReason::count_)> stops{};
+	std::size_t seeds = 0;
+};
+
+/** Traces all ridges of a tile from the crossings of its border and from the measurements that no ridge covers. The
+ * result depends on nothing but the field, the border and the options. */
+TileTrace traceTile(const TileField& field, TileBorder& border, const Options& options);
+
+/** Walks along one ridge. */
+class RidgeTracer
+{
+   public:
+	RidgeTracer(const TileField& field, TileBorder& border, const Options& options, const std::vector<Piece>& pieces);
+
+	/** Result of following a ridge to one end. */
+	struct Walk
+	{
+		std::vector<Vec2> nodes;  ///< begins with the start
+		PieceEnd end;
+		bool closed = false;
+	};
+
+	/** Follows the ridge from a point on it in the given direction. */
+	Walk walk(const RidgePoint& start, Vec2 direction) const;
+
+	/** Moves the end of a walk back to the last projected measurement (section V-C). */
+	void trimToMeasurements(Walk& walk) const;
+
+	/** Relaxes x along the unit vector `normal` onto the ridge (section V-B2). */
+	struct Relaxed
+	{
+		RidgePoint point;
+		double distance = 0;  ///< d_relaxation, the distance corrected
+		bool converged = false;
+		StopReason reason = StopReason::noConvergence;	///< why not, if it did not
+	};
+	Relaxed relax(Vec2 x, Vec2 normal, Vec2 v1, double reach) const;
+
+	RidgePoint evaluate(Vec2 p) const { return makeRidgePoint(p, field_.sample(p)); }
+	/** p lies within eps of a polyline of about this direction. */
+	bool onPolyline(Vec2 p, Vec2 direction) const;
+
+   private:
+	struct Proposal
+	{
+		Relaxed next;
+		TileBorder::Port* port = nullptr;  ///< the crossing that the step ends at
+		bool exits = false;	 ///< the step leaves the tile where there is no crossing
+	};
+	struct Verdict
+	{
+		bool accepted = false;
+		double error = 0;  ///< estimated distance between segment and ridge
+	};
+	struct State;
+
+	Proposal propose(const State& state, double h) const;
+	bool finishAtBorder(const State& state, double h, Vec2 outside, Proposal& proposal) const;
+	Verdict verify(const RidgePoint& a, Vec2 tangentA, const RidgePoint& b, Vec2 tangentB) const;
+	bool insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<Vec2>& nodes) const;
+	double nextStep(double h, const Relaxed& relaxed, const Verdict& verdict) const;
+	StopReason failure(const Proposal& proposal) const;
+	bool closesLoop(const State& state, const RidgePoint& next) const;
+	bool measurementNear(const RidgePoint& r, Vec2 tangent) const;
+
+	const TileField& field_;
+	TileBorder& border_;
+	const Options& options_;
+	const std::vector<Piece>& pieces_;
+	double eps_;  ///< [sigma]
+	double tolerance_;	///< of the relaxation [sigma]
+};
+
+}  // namespace ridgemap

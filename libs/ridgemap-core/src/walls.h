@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Walls: what people and robots use, made from the strict ridges by passes that are pure functions.
+#pragma once
+
+#include <ridgemap/options.h>
+#include <ridgemap/types.h>
+
+#include <vector>
+
+namespace ridgemap
+{
+/** Leaves out polylines shorter than `pruneLength` sigma; lengths are of whole, stitched polylines. */
+std::vector<Polyline> pruneShort(const std::vector<Polyline>& lines, const Options& options);
+
+/** Joins free ends to what lies beside them, at most `attachDistance` sigma away: two free ends that are nearest to each
+ * other are bridged, any other free end is led to the nearest point of another line (or of a distant part of its own). */
+std::vector<Polyline> attachFreeEnds(const std::vector<Polyline>& lines, const Options& options);
+
+/** All passes that the options ask for, in order. */
+std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Options& options);
+
+}  // namespace ridgemap
