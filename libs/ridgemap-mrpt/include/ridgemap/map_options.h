@@ -109,8 +109,10 @@ struct MapOptions
 	/** The four sections as the text of a commented INI file. */
 	std::string toIniText(const std::string& sectionPrefix) const;
 
-	/** Sets one option by its key (case and underscores do not matter: `L_tol` is `lTol`). Throws std::exception naming
-	 * what is allowed for wrong values, and the nearest keys for an unknown one; the options are then as before. */
+	/** Sets one option by its key (case and underscores do not matter: `L_tol` is `lTol`). Throws std::invalid_argument
+	 * naming what is allowed for wrong values, and the nearest keys for an unknown one; the options are then as before.
+	 * How the options go together (eps with sigma, minZ with maxZ) is left to validate(), so that the order of several
+	 * calls does not matter. */
 	void setOption(const std::string& key, const std::string& value);
 
 	/** The value of one option as text, exact. Throws as setOption(). */

@@ -25,7 +25,7 @@ struct NearestPoint
  *
  * Immutable once built, so safe for several threads. Exact for every finite query: the samples only choose which
  * segments are looked at. */
-class PolylineIndex : private mrpt::math::KDTreeCapable<PolylineIndex, float>
+class PolylineIndex
 {
  public:
 	/** Builds the tree; O(n log n) in the samples.
@@ -40,8 +40,19 @@ class PolylineIndex : private mrpt::math::KDTreeCapable<PolylineIndex, float>
 	const std::vector<Point2>& samples() const { return samples_; }
 
  private:
-	using Base = mrpt::math::KDTreeCapable<PolylineIndex, float>;
-	friend Base;
+	/** The samples relative to an origin, in the form that MRPT's KD-tree wants. */
+	struct SampleTree : public mrpt::math::KDTreeCapable<SampleTree, float>
+	{
+		std::vector<float> coordinates;  ///< x and y in turn
+
+		std::size_t kdtree_get_point_count() const { return coordinates.size() / 2; }
+		float kdtree_get_pt(std::size_t i, int dim) const { return coordinates[2 * i + std::size_t(dim)]; }
+		template <class BoundingBox>
+		bool kdtree_get_bbox(BoundingBox&) const
+		{
+			return false;
+		}
+	};
 
 	struct Segment
 	{
@@ -55,18 +66,10 @@ class PolylineIndex : private mrpt::math::KDTreeCapable<PolylineIndex, float>
 	NearestPoint describe(std::size_t segment, const Point2& query) const;
 	std::size_t exhaustive(const Point2& query, double& bestSqr) const;
 
-	std::size_t kdtree_get_point_count() const { return local_.size() / 2; }
-	float kdtree_get_pt(std::size_t i, int dim) const { return local_[2 * i + std::size_t(dim)]; }
-	template <class BoundingBox>
-	bool kdtree_get_bbox(BoundingBox&) const
-	{
-		return false;
-	}
-
 	std::vector<Segment> segments_;
 	std::vector<Point2> samples_;
 	std::vector<std::uint32_t> sampleSegment_;  ///< segment of each sample
-	std::vector<float> local_;                  ///< samples relative to origin_, x and y in turn
+	SampleTree tree_;
 	Point2 origin_;           ///< keeps the single-precision tree accurate far from the origin of the map
 	double extent_ = 0;       ///< greatest coordinate of a sample relative to origin_ [m]
 	double halfSpacing_ = 0;  ///< no point of a segment is farther than this from its nearest sample [m]

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/core/format.h>
+#include <ridgemap/CRidgeMap2D.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "query_cache.h"
+
+namespace ridgemap
+{
+CRidgeMap2D::CRidgeMap2D() : CRidgeMap2D(Options()) {}
+
+CRidgeMap2D::CRidgeMap2D(const Options& options) : core_(options), cache_(std::make_unique<QueryCache>()) {}
+
+CRidgeMap2D::CRidgeMap2D(const MapOptions& options) : CRidgeMap2D(options.creation)
+{
+	setMapOptions(options);
+}
+
+CRidgeMap2D::~CRidgeMap2D() = default;
+
+CRidgeMap2D::CRidgeMap2D(const CRidgeMap2D& o)
+	: mrpt::maps::CMetricMap(),
+	  insertionOptions(o.insertionOptions),
+	  likelihoodOptions(o.likelihoodOptions),
+	  renderOptions(o.renderOptions),
+	  core_(o.core_),
+	  cache_(std::make_unique<QueryCache>(*o.cache_))
+{
+	genericMapParams = o.genericMapParams;
+}
+
+CRidgeMap2D& CRidgeMap2D::operator=(const CRidgeMap2D& o)
+{
+	CRidgeMap2D copy(o);
+	swap(copy);
+	return *this;
+}
+
+CRidgeMap2D::CRidgeMap2D(CRidgeMap2D&& o) : CRidgeMap2D(o.mapOptions())
+{
+	genericMapParams = o.genericMapParams;
+	swap(o);
+}
+
+CRidgeMap2D& CRidgeMap2D::operator=(CRidgeMap2D&& o)
+{
+	if (this == &o) return *this;
+	CRidgeMap2D taken(std::move(o));
+	swap(taken);
+	return *this;
+}
+
+void CRidgeMap2D::swap(CRidgeMap2D& o)
+{
+	std::swap(genericMapParams, o.genericMapParams);
+	std::swap(insertionOptions, o.insertionOptions);
+	std::swap(likelihoodOptions, o.likelihoodOptions);
+	std::swap(renderOptions, o.renderOptions);
+	std::swap(core_, o.core_);
+	std::swap(cache_, o.cache_);
+}
+
+void CRidgeMap2D::internal_clear()
+{
+	core_.clear();
+	cache_->reset();
+}
+
+std::string CRidgeMap2D::asString() const
+{
+	const MapStatistics s = core_.statistics();
+	return mrpt::format("Ridge map of %llu measurements in %zu lattice cells, sigma %g m",
+						static_cast<unsigned long long>(s.measurements), s.cells, options().sigma);
+}
+
+UpdateResult CRidgeMap2D::update(unsigned threads)
+{
+	return core_.update(threads);
+}
+
+void CRidgeMap2D::setThreads(unsigned threads)
+{
+	core_.setThreads(threads);
+}
+
+std::shared_ptr<const PolylineIndex> CRidgeMap2D::wallIndex() const
+{
+	return cache_->walls([this] { return std::make_shared<const PolylineIndex>(walls(), options().sigma); });
+}
+
+std::shared_ptr<const PolylineIndex> CRidgeMap2D::ridgeIndex() const
+{
+	return cache_->ridges([this] { return std::make_shared<const PolylineIndex>(ridges(), options().sigma); });
+}
+
+std::optional<NearestPoint> CRidgeMap2D::nearestWallPoint(const Point2& query, double maxDistance) const
+{
+	return wallIndex()->nearest(query, maxDistance);
+}
+
+std::optional<NearestPoint> CRidgeMap2D::nearestRidgePoint(const Point2& query, double maxDistance) const
+{
+	return ridgeIndex()->nearest(query, maxDistance);
+}
+
+const mrpt::maps::CSimplePointsMap* CRidgeMap2D::getAsSimplePointsMap() const
+{
+	const auto index = wallIndex();
+	return cache_
+		->points(
+			[&]
+			{
+				auto map = std::make_shared<mrpt::maps::CSimplePointsMap>();
+				map->reserve(index->samples().size());
+				for (const auto& p : index->samples()) map->insertPointFast(float(p.x), float(p.y), 0);
+				map->mark_as_modified();
+				return map;
+			})
+		.get();
+}
+
+mrpt::math::TBoundingBoxf CRidgeMap2D::boundingBox() const
+{
+	const Box2 box = core_.boundingBox();
+	if (box.empty()) return {{0, 0, 0}, {0, 0, 0}};
+	return {{float(box.min.x), float(box.min.y), 0}, {float(box.max.x), float(box.max.y), 0}};
+}
+
+}  // namespace ridgemap

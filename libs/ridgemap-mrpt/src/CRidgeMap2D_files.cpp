@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/io/CFileGZInputStream.h>
+#include <mrpt/io/CFileGZOutputStream.h>
+#include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/opengl/CSetOfObjects.h>
+#include <mrpt/serialization/CArchive.h>
+#include <mrpt/serialization/CSerializable.h>
+#include <ridgemap/CRidgeMap2D.h>
+#include <ridgemap/atomic_file.h>
+#include <ridgemap/drawing.h>
+#include <ridgemap/polyline_csv.h>
+
+#include <stdexcept>
+
+namespace ridgemap
+{
+namespace
+{
+void saveScene(const CRidgeMap2D& map, const std::string& path)
+{
+	auto objects = mrpt::opengl::CSetOfObjects::Create();
+	map.getVisualizationInto(*objects);
+	mrpt::opengl::COpenGLScene scene;
+	scene.insert(objects);
+	AtomicFile file(path);
+	if (!scene.saveToFile(file.temporaryPath())) throw std::runtime_error("cannot write '" + path + "'");
+	file.commit();
+}
+
+/** First line of a message: MRPT adds the places in its sources. */
+std::string firstLine(const std::exception& e)
+{
+	const std::string s = e.what();
+	return s.substr(0, s.find('\n'));
+}
+}  // namespace
+
+void CRidgeMap2D::saveMetricMapRepresentationToFile(const std::string& filNamePrefix) const
+{
+	writePolylinesCsv(filNamePrefix + "_ridges.csv", ridges());
+	writePolylinesCsv(filNamePrefix + "_walls.csv", walls());
+	Drawing drawing;
+	drawing.lines = walls();
+	drawing.measurements = core_.cellCentroids();
+	writeSvg(filNamePrefix + ".svg", drawing);
+	saveScene(*this, filNamePrefix + ".3Dscene");
+}
+
+CRidgeMap2D loadRidgeMap(const std::string& path)
+{
+	mrpt::io::CFileGZInputStream file;
+	if (!file.open(path)) throw std::runtime_error("cannot open '" + path + "': no such file, or not readable");
+	try
+	{
+		auto archive = mrpt::serialization::archiveFrom(file);
+		const auto object = archive.ReadObject();
+		auto* map = dynamic_cast<CRidgeMap2D*>(object.get());
+		if (!map) throw std::runtime_error("the file holds something else than a ridge map");
+		return std::move(*map);
+	}
+	catch (const std::exception& e)
+	{
+		throw std::runtime_error("cannot read a ridge map from '" + path + "': " + firstLine(e));
+	}
+}
+
+void saveRidgeMap(const std::string& path, const CRidgeMap2D& map)
+{
+	AtomicFile file(path);
+	{
+		mrpt::io::CFileGZOutputStream out;
+		if (!out.open(file.temporaryPath())) throw std::runtime_error("cannot write '" + path + "'");
+		auto archive = mrpt::serialization::archiveFrom(out);
+		archive << map;
+	}
+	file.commit();
+}
+
+}  // namespace ridgemap

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/serialization/CArchive.h>
+#include <ridgemap/CRidgeMap2D.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "byte_stream.h"
+#include "checksum.h"
+#include "option_text.h"
+
+// Version 0: number of bytes (8), the bytes, their CRC-32 (4), integers little-endian. The bytes are: the three generic
+// parameters of MRPT, all options as pairs of texts, and the lattice cells in canonical order, each as differences to
+// the one before. Polylines are a pure function of these, so they are traced again when they are asked for.
+
+namespace ridgemap
+{
+namespace
+{
+void writeOptions(ByteWriter& out, const MapOptions& options)
+{
+	const auto keys = MapOptions::keys();
+	out.number(keys.size());
+	const auto write = [&](const FieldInfo& info, const auto& field)
+	{
+		out.text(info.key);
+		out.text(optionText(field));
+	};
+	forEachSection(options, [&](const char*, const auto& section) { forEachField(section, write); });
+}
+
+MapOptions readOptions(ByteReader& in)
+{
+	MapOptions options;
+	for (std::size_t n = in.count(2); n > 0; n--)
+	{
+		const std::string key = in.text(), value = in.text();
+		options.setOption(key, value);
+	}
+	options.validate();
+	return options;
+}
+
+void writeCells(ByteWriter& out, const std::vector<CellRecord>& cells)
+{
+	out.number(cells.size());
+	std::int64_t cx = 0, cy = 0;
+	for (const auto& c : cells)
+	{
+		out.signedNumber(c.cx - cx);
+		out.signedNumber(c.cy - cy);
+		out.number(c.bin);
+		out.number(c.n);
+		for (const std::int64_t sum : {c.sx, c.sy, c.sxx, c.sxy, c.syy}) out.signedNumber(sum);
+		cx = c.cx;
+		cy = c.cy;
+	}
+}
+
+std::uint32_t readUint32(ByteReader& in)
+{
+	const std::uint64_t v = in.number();
+	if (v > 0xffffffffu) throw std::runtime_error("stored ridge map: a count of a lattice cell is out of range");
+	return std::uint32_t(v);
+}
+
+std::vector<CellRecord> readCells(ByteReader& in)
+{
+	constexpr std::size_t leastBytes = 9;  // one for each number
+	std::vector<CellRecord> cells(in.count(leastBytes));
+	std::uint64_t cx = 0, cy = 0;  // unsigned, for a forged difference must not overflow
+	for (auto& c : cells)
+	{
+		c.cx = std::int64_t(cx += std::uint64_t(in.signedNumber()));
+		c.cy = std::int64_t(cy += std::uint64_t(in.signedNumber()));
+		c.bin = readUint32(in);
+		c.n = readUint32(in);
+		for (std::int64_t* sum : {&c.sx, &c.sy, &c.sxx, &c.sxy, &c.syy}) *sum = in.signedNumber();
+	}
+	return cells;
+}
+
+template <std::size_t N>
+void writeFixed(mrpt::serialization::CArchive& out, std::uint64_t v)
+{
+	std::array<std::uint8_t, N> b;
+	for (std::size_t i = 0; i < N; i++) b[i] = std::uint8_t(v >> (8 * i));
+	out.WriteBuffer(b.data(), N);
+}
+
+void readExactly(mrpt::serialization::CArchive& in, std::uint8_t* to, std::size_t n)
+{
+	// Some streams of MRPT give fewer bytes than asked for at the end, without a word.
+	if (n > 0 && in.ReadBuffer(to, n) != n) throw std::runtime_error("stored ridge map: the data end too early");
+}
+
+template <std::size_t N>
+std::uint64_t readFixed(mrpt::serialization::CArchive& in)
+{
+	std::array<std::uint8_t, N> b;
+	readExactly(in, b.data(), N);
+	std::uint64_t v = 0;
+	for (std::size_t i = 0; i < N; i++) v |= std::uint64_t(b[i]) << (8 * i);
+	return v;
+}
+
+/** Reads piece by piece, so that a forged size ends at the end of the data, not of the memory. */
+std::vector<std::uint8_t> readBytes(mrpt::serialization::CArchive& in, std::uint64_t size)
+{
+	constexpr std::uint64_t piece = 1 << 20;
+	std::vector<std::uint8_t> bytes;
+	while (bytes.size() < size)
+	{
+		const std::size_t at = bytes.size();
+		bytes.resize(at + std::size_t(std::min(piece, size - at)));
+		readExactly(in, bytes.data() + at, bytes.size() - at);
+	}
+	return bytes;
+}
+}  // namespace
+
+uint8_t CRidgeMap2D::serializeGetVersion() const
+{
+	return 0;
+}
+
+void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
+{
+	ByteWriter content;
+	content.byte(genericMapParams.enableSaveAs3DObject);
+	content.byte(genericMapParams.enableObservationLikelihood);
+	content.byte(genericMapParams.enableObservationInsertion);
+	writeOptions(content, mapOptions());
+	writeCells(content, core_.cells());
+	const auto& bytes = content.bytes();
+	writeFixed<8>(out, bytes.size());
+	out.WriteBuffer(bytes.data(), bytes.size());
+	writeFixed<4>(out, crc32(bytes.data(), bytes.size()));
+}
+
+void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
+{
+	if (version != 0)
+		throw std::runtime_error("stored ridge map: version " + std::to_string(version) +
+								 " is newer than this library, which reads version 0");
+	const std::vector<std::uint8_t> bytes = readBytes(in, readFixed<8>(in));
+	if (readFixed<4>(in) != crc32(bytes.data(), bytes.size()))
+		throw std::runtime_error("stored ridge map: the checksum does not fit, the data are damaged");
+	ByteReader content(bytes);
+	const bool as3D = content.byte() != 0, likelihood = content.byte() != 0, insertion = content.byte() != 0;
+	CRidgeMap2D loaded(readOptions(content));
+	loaded.genericMapParams.enableSaveAs3DObject = as3D;
+	loaded.genericMapParams.enableObservationLikelihood = likelihood;
+	loaded.genericMapParams.enableObservationInsertion = insertion;
+	loaded.core_.insertCells(readCells(content));
+	if (content.left() != 0) throw std::runtime_error("stored ridge map: there are data behind the last cell");
+	swap(loaded);
+}
+
+}  // namespace ridgemap

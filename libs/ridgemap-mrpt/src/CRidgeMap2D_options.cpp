@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ridgemap/CRidgeMap2D.h>
+
+#include <ostream>
+#include <stdexcept>
+
+namespace ridgemap
+{
+void CRidgeMap2D::setOptions(const Options& options)
+{
+	options.validate();
+	if (options == core_.options()) return;
+	if (!isEmpty())
+		throw std::logic_error(
+			"the creation options of a ridge map that holds measurements cannot change; clear the map, or make a new "
+			"one");
+	core_ = RidgeMap(options);
+	internal_clear();
+}
+
+MapOptions CRidgeMap2D::mapOptions() const
+{
+	MapOptions all;
+	all.creation = TCreationOptions(options());
+	all.insertion = insertionOptions;
+	all.likelihood = likelihoodOptions;
+	all.render = renderOptions;
+	return all;
+}
+
+void CRidgeMap2D::setMapOptions(const MapOptions& options)
+{
+	options.validate();
+	setOptions(options.creation);
+	insertionOptions = options.insertion;
+	likelihoodOptions = options.likelihood;
+	renderOptions = options.render;
+}
+
+CRidgeMap2D::TMapDefinition::TMapDefinition() = default;
+
+void CRidgeMap2D::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::config::CConfigFileBase& source,
+																  const std::string& sectionNamePrefix)
+{
+	MapOptions all{creationOpts, insertionOpts, likelihoodOpts, renderOpts};
+	all.loadFromConfigFile(source, sectionNamePrefix);
+	creationOpts = all.creation;
+	insertionOpts = all.insertion;
+	likelihoodOpts = all.likelihood;
+	renderOpts = all.render;
+}
+
+void CRidgeMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
+{
+	creationOpts.dumpToTextStream(out);
+	insertionOpts.dumpToTextStream(out);
+	likelihoodOpts.dumpToTextStream(out);
+	renderOpts.dumpToTextStream(out);
+}
+
+// A raw pointer before MRPT 2.11.3, a shared one since.
+std::invoke_result_t<mrpt::maps::internal::MapCtorFromDefFunctor, const mrpt::maps::TMetricMapInitializer&>
+CRidgeMap2D::internal_CreateFromMapDefinition(const mrpt::maps::TMetricMapInitializer& definition)
+{
+	const auto& d = dynamic_cast<const TMapDefinition&>(definition);
+	using Result =
+		std::invoke_result_t<mrpt::maps::internal::MapCtorFromDefFunctor, const mrpt::maps::TMetricMapInitializer&>;
+	return Result(new CRidgeMap2D(MapOptions{d.creationOpts, d.insertionOpts, d.likelihoodOpts, d.renderOpts}));
+}
+
+}  // namespace ridgemap

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ridgemap/map_options.h>
+
+#include <array>
+
+namespace ridgemap
+{
+/** What is known about one option. The tables below are the only place that knows its key, unit, range and meaning;
+ * loading, saving, setting, serializing and help are made from them. Defaults come from the structs. */
+struct FieldInfo
+{
+	const char* key;                  ///< key in INI files, the name of the field
+	const char* unit;                 ///< "" if it has none
+	const char* text;                 ///< one line of help
+	double lowest = 0, highest = -1;  ///< allowed range; none while lowest > highest
+
+	bool hasRange() const { return lowest <= highest; }
+};
+
+/** The words for the values of an enumeration, in their order. */
+template <class E>
+struct Words;
+template <>
+struct Words<StepRule>
+{
+	static constexpr std::array<const char*, 2> names{"error", "paper"};
+};
+template <>
+struct Words<SeedRule>
+{
+	static constexpr std::array<const char*, 2> names{"projection", "maximum"};
+};
+template <>
+struct Words<LikelihoodTarget>
+{
+	static constexpr std::array<const char*, 2> names{"ridges", "walls"};
+};
+
+/** Calls visit(info, field) for every field; `o` may be const. The ranges of the creation options are those that
+ * Options::validate() enforces. */
+template <class O, class V>
+void visitFields(const TCreationOptions*, O& o, V&& visit)
+{
+	visit(FieldInfo{"sigma", "m", "smoothing parameter; 2.5-3 times the noise across the wall", 1e-3, 1e3}, o.sigma);
+	visit(FieldInfo{"eps", "m",
+					"bound on the distance of a ridge polyline to the true ridge, sigma/10000 to sigma/2; 0: sigma/50"},
+		  o.eps);
+	visit(FieldInfo{"lTol", "kernel peaks", "L_tol: least occupancy on a polyline", 0.1, 1e9}, o.lTol);
+	visit(FieldInfo{"dTol", "sigma", "d_tol: longest stretch of ridge without a measurement", 0.5, 4}, o.dTol);
+	visit(FieldInfo{"cell", "sigma", "edge of a lattice cell: 1, 0.5, 0.25 or 0.125; 0: every measurement kept apart"},
+		  o.cell);
+	visit(FieldInfo{"cutoff", "sigma", "kernels farther than this may be left out", 4, 8}, o.cutoff);
+	visit(FieldInfo{"tileEdge", "sigma", "edge of a tile, the unit of update: a multiple of 4", 12, 64}, o.tileEdge);
+	visit(FieldInfo{"maxStep", "sigma", "longest segment", 0.1, 4}, o.maxStep);
+	visit(FieldInfo{"minCurvature", "1/sigma^2", "least curvature of a ridge across, relative to its height", 0, 1},
+		  o.minCurvature);
+	visit(FieldInfo{"minEigenGap", "", "least relative gap of the two curvatures of a ridge", 0, 1}, o.minEigenGap);
+	visit(FieldInfo{"stepRule", "", "step along a ridge: from the verified error, or as in the paper"}, o.stepRule);
+	visit(FieldInfo{"seedRule", "", "initial guesses: projection onto the ridge, or local maxima as in the paper"},
+		  o.seedRule);
+	visit(FieldInfo{"prune", "", "walls: leave out short chains"}, o.prune);
+	visit(FieldInfo{"pruneLength", "sigma", "walls: chains shorter than this are left out", 0, 100}, o.pruneLength);
+	visit(FieldInfo{"attach", "", "walls: join free ends to the walls beside them"}, o.attach);
+	visit(FieldInfo{"attachDistance", "sigma", "walls: farthest that a free end is joined", 0, 5}, o.attachDistance);
+}
+
+template <class O, class V>
+void visitFields(const TInsertionOptions*, O& o, V&& visit)
+{
+	visit(FieldInfo{"minZ", "m", "least height of points of 3-D sensors, map frame", -1e6, 1e6}, o.minZ);
+	visit(FieldInfo{"maxZ", "m", "greatest height of points of 3-D sensors, map frame", -1e6, 1e6}, o.maxZ);
+	visit(FieldInfo{"minRange", "m", "least distance from the sensor", 0, 1e6}, o.minRange);
+	visit(FieldInfo{"maxRange", "m", "greatest distance from the sensor", 0, 1e6}, o.maxRange);
+	visit(FieldInfo{"minDistBetweenPoints", "m", "a point nearer to the one before it is left out; 0: all are kept", 0,
+					1e3},
+		  o.minDistBetweenPoints);
+	visit(FieldInfo{"planarityTolerance", "deg", "greatest angle of the plane of a 2-D scan to the horizontal", 0, 90},
+		  o.planarityTolerance);
+}
+
+template <class O, class V>
+void visitFields(const TLikelihoodOptions*, O& o, V&& visit)
+{
+	visit(FieldInfo{"zHit", "", "weight of beams that end on a polyline", 0, 1e3}, o.zHit);
+	visit(FieldInfo{"zRand", "", "weight of beams that end anywhere", 1e-9, 1e3}, o.zRand);
+	visit(FieldInfo{"zMax", "m", "range over which the latter are spread", 1e-3, 1e6}, o.zMax);
+	visit(FieldInfo{"sigmaHit", "m", "spread of beam ends about a polyline", 1e-4, 1e3}, o.sigmaHit);
+	visit(FieldInfo{"maxDistance", "m", "distances to polylines are capped at this", 0, 1e3}, o.maxDistance);
+	visit(FieldInfo{"decimation", "", "one of this number of beams is used", 1, 100000}, o.decimation);
+	visit(FieldInfo{"target", "", "which polylines"}, o.target);
+}
+
+template <class O, class V>
+void visitFields(const TRenderOptions*, O& o, V&& visit)
+{
+	visit(FieldInfo{"showWalls", "", "draw the walls"}, o.showWalls);
+	visit(FieldInfo{"showRidges", "", "draw the strict ridges"}, o.showRidges);
+	visit(FieldInfo{"showMeasurements", "", "draw the centroid of every lattice cell"}, o.showMeasurements);
+	visit(FieldInfo{"wallColor", "", "colour of the walls, RRGGBB or RRGGBBAA"}, o.wallColor);
+	visit(FieldInfo{"ridgeColor", "", "colour of the ridges"}, o.ridgeColor);
+	visit(FieldInfo{"measurementColor", "", "colour of the measurements"}, o.measurementColor);
+	visit(FieldInfo{"lineWidth", "pixels", "width of the lines", 0.1, 100}, o.lineWidth);
+	visit(FieldInfo{"pointSize", "pixels", "size of the points", 0.1, 100}, o.pointSize);
+}
+
+/** visitFields() for the table that belongs to the type of `o`. */
+template <class O, class V>
+void forEachField(O& o, V&& visit)
+{
+	visitFields(static_cast<const std::remove_const_t<O>*>(nullptr), o, visit);
+}
+
+/** Calls visit(suffix, section) for the four sections of `options` (const or not), with their INI suffixes. */
+template <class M, class V>
+void forEachSection(M& options, V&& visit)
+{
+	visit("creationOpts", options.creation);
+	visit("insertOpts", options.insertion);
+	visit("likelihoodOpts", options.likelihood);
+	visit("renderOpts", options.render);
+}
+
+}  // namespace ridgemap
