@@ -26,7 +26,7 @@ std::optional<RidgePoint> project(const TileField& field, const Options& options
 		{
 			const double slope = dot(r.df, r.v1);
 			step = -r.f / (slope < 0.2 * r.lambda1 ? slope : r.lambda1);
-			if (std::abs(step) < tolerance) return accepted(r, options) ? std::optional(r) : std::nullopt;
+			if (std::abs(r.f) < tolerance * std::min(norm(r.df), -r.lambda1)) return accepted(r, options) ? std::optional(r) : std::nullopt;
 		}
 		else if (std::abs(step) < tolerance)
 			return std::nullopt;

@@ -10,8 +10,8 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double minStep = 0.1;	 ///< below this a step is not shortened for accuracy [sigma]
-constexpr double endResolution = 0.02;	///< how closely the end of a ridge is approached [sigma]
+constexpr double endResolution = 0.02;	///< how closely the end of a ridge is approached; least step [sigma]
+constexpr double shortSegment = 0.5;  ///< shorter segments mark a strong bend: check them more densely [sigma]
 constexpr double acceptedShare = 0.7;  ///< share of eps that the estimated error of a segment may use
 constexpr int maxNodes = 4000;
 constexpr int maxRelaxations = 12;
@@ -73,9 +73,9 @@ RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) con
 		const RidgePoint& next = step.next.point;
 		const Vec2 tangent = next.tangent(next.p - state.point.p);
 		const Verdict verdict = verify(state.point, state.tangent, next, tangent);
-		if (!verdict.accepted && h > minStep && options_.stepRule == StepRule::error)
+		if (!verdict.accepted && h > endResolution && options_.stepRule == StepRule::error)
 		{
-			h = std::max(minStep, h * std::max(0.25, std::min(0.7, std::sqrt(0.5 * eps_ / verdict.error))));
+			h = std::max(endResolution, h * std::max(0.25, std::min(0.7, std::sqrt(0.5 * eps_ / verdict.error))));
 			continue;
 		}
 		if (!verdict.accepted && !std::isfinite(verdict.error))
@@ -184,9 +184,9 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 		// f and its derivative along the normal; where the exact derivative points the wrong way, lambda1 leads uphill.
 		double slope = dot(r.df, normal);
 		const double uphill = r.lambda1 * orientation;
-		if (slope / uphill < 0.2) slope = uphill;
+		if (slope / uphill < 0.05) slope = uphill;
 		const double step = std::max(-0.5, std::min(0.5, -r.f / slope));
-		if (std::abs(step) < tolerance_)
+		if (std::abs(r.f) < tolerance_ * std::min(norm(r.df), std::abs(slope)))
 		{
 			result.point = r;
 			result.distance = std::abs(moved);
@@ -201,7 +201,7 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 }
 
 /** Estimates the distance between the segment a-b and the ridge: from the end tangents (cubic Hermite), then from f at
- * the middle, and at the quarters where the two disagree. An infinite error means that the ridge does not follow. */
+ * the middle, and at the quarters where the two disagree or the ridge bends strongly. An infinite error means that the ridge does not follow. */
 RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, const RidgePoint& b, Vec2 tangentB) const
 {
 	const Vec2 chord = b.p - a.p;
@@ -225,7 +225,7 @@ RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, con
 	const double middle = offset(0.5);
 	error = std::max(error, std::abs(middle));
 	const double surprise = std::abs(middle - guess(0.5));
-	if (surprise > 0.2 * eps_ && error <= limit)
+	if ((surprise > 0.2 * eps_ || h < shortSegment) && error <= limit)
 		error = std::max({error, std::abs(offset(0.25)), std::abs(offset(0.75))});
 	else
 		error = std::max(error, std::abs(middle) + 0.5 * surprise);
@@ -245,7 +245,7 @@ double RidgeTracer::nextStep(double h, const Relaxed& relaxed, const Verdict& ve
 		return relaxed.distance > 0.75 ? 0.5 * h : relaxed.distance < 0.25 ? 2 * h : h;
 	const double aim = 0.6 * acceptedShare * eps_;
 	const double factor = std::sqrt(aim / std::max(verdict.error, 0.05 * aim));
-	return std::max(minStep, h * std::max(0.5, std::min(2.0, factor)));
+	return std::max(endResolution, h * std::max(0.5, std::min(2.0, factor)));
 }
 
 bool RidgeTracer::closesLoop(const State& state, const RidgePoint& next) const

@@ -31,8 +31,8 @@ struct Options
 	double cutoff = 5;	///< kernels farther than this may be left out [sigma], 4 .. 8
 	double tileEdge = 16;  ///< edge of a tile, the unit of update [sigma]: a multiple of 4, 12 .. 64
 	double maxStep = 2;	 ///< longest segment [sigma], 0.1 .. 4
-	double minCurvature = 0.3;	///< least -lambda1/L on a ridge [1/sigma^2], 0 .. 1; removes rungs between walls
-	double minEigenGap = 0.05;	///< least (lambda2-lambda1)/|lambda1| on a ridge, 0 .. 1; stops at umbilic points
+	double minCurvature = 0.05;	///< least -lambda1/L on a ridge [1/sigma^2], 0 .. 1; removes rungs between walls
+	double minEigenGap = 0.02;	///< least (lambda2-lambda1)/|lambda1| on a ridge, 0 .. 1; stops at umbilic points
 	StepRule stepRule = StepRule::error;  ///< how the step along a ridge is chosen
 	SeedRule seedRule = SeedRule::projection;  ///< how initial guesses are found
 
