@@ -97,6 +97,12 @@ MapOptions MapSettings::applyTo(MapOptions options) const
 	return options;
 }
 
+std::string iniText(const MapOptions& options)
+{
+	const std::string map = "map";  // MRPT programs have names of their own for this section
+	return "[" + map + "]\nridgeMap_count = 1\n\n" + options.toIniText(map + "_ridgeMap_00");
+}
+
 std::string differences(const Options& a, const Options& b)
 {
 	MapOptions x, y;

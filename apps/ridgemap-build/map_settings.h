@@ -32,6 +32,9 @@ class MapSettings
 	std::vector<std::pair<std::string, std::string>> settings_;
 };
 
+/** The options as a commented INI file, ready for programs of MRPT's. */
+std::string iniText(const MapOptions& options);
+
 /** Names of the options in which two maps differ, with both values: `sigma 0.05 and 0.1`. */
 std::string differences(const Options& a, const Options& b);
 

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "builder.h"
+
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <ridgemap/observation_to_measurements.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <random>
+
+#include "../common/user_error.h"
+
+namespace ridgemap::apps
+{
+namespace
+{
+volatile std::sig_atomic_t interrupted = 0;
+
+std::size_t countNotFinite(const mrpt::obs::CObservation& observation)
+{
+	const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&observation);
+	std::size_t count = 0;
+	for (std::size_t i = 0; scan != nullptr && i < scan->getScanSize(); i++)
+		count += std::isfinite(scan->getScanRange(i)) ? 0 : 1;
+	return count;
+}
+
+bool isFinite(const mrpt::poses::CPose3D& pose)
+{
+	for (const double v : {pose.x(), pose.y(), pose.z(), pose.yaw(), pose.pitch(), pose.roll()})
+		if (!std::isfinite(v)) return false;
+	return true;
+}
+
+/** Says what an input held instead of measurements. */
+[[noreturn]] void failEmpty(const InputReport& r)
+{
+	if (r.classes.empty())
+		throw UserError("'" + r.path + "' holds no measurements", "give a file with points or observations");
+	std::string classes;
+	std::size_t all = 0;
+	for (const auto& [name, count] : r.classes)
+	{
+		classes += (classes.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+		all += count;
+	}
+	if (r.withoutPose == all)
+		throw UserError("'" + r.path + "' and its poses do not overlap in time",
+						"give --poses with times in seconds since 1970 as in the log, or leave them out");
+	throw UserError(
+		"'" + r.path + "' holds no usable measurements, only " + classes,
+		"give 2-D scans, 3-D range scans, Velodyne scans, point clouds or sonar ranges within minRange, maxRange, minZ "
+		"and maxZ");
+}
+
+}  // namespace
+
+Builder::Builder(CRidgeMap2D& map, const Feed& feed, std::function<void(const Measurement&)> onMeasurement,
+				 Progress& progress)
+	: map_(map), feed_(feed), onMeasurement_(std::move(onMeasurement)), progress_(progress)
+{
+}
+
+std::vector<Measurement> Builder::measurementsOf(Frame& frame, InputReport& report) const
+{
+	if (!frame.observation) return std::move(frame.points);
+	const auto& observation = *frame.observation;
+	report.classes[observation.GetRuntimeClass()->className]++;
+	if (!frame.pose)
+	{
+		report.withoutPose++;
+		return {};
+	}
+	if (!isFinite(*frame.pose))
+		throw UserError("'" + report.path + "' holds a pose that is not finite", "repair the poses");
+	const Point2 at{frame.pose->x(), frame.pose->y()};
+	if (!canConvertToMeasurements(observation)) return {};
+	if (report.robotPath.empty() || report.robotPath.back() != at) report.robotPath.push_back(at);
+	report.notFinite += countNotFinite(observation);
+	return observationToMeasurements(observation, *frame.pose, map_.insertionOptions);
+}
+
+void Builder::add(const std::string& path, FrameReader& reader)
+{
+	inputs_.emplace_back();
+	InputReport& report = inputs_.back();
+	report.path = path;
+	progress_.start(path, "measurements");
+	for (Frame frame; reader.next(frame);)
+	{
+		throwIfInterrupted();
+		const bool isScan = frame.observation != nullptr;
+		try
+		{
+			std::vector<Measurement> measurements = measurementsOf(frame, report);
+			report.scans += isScan && !measurements.empty() ? 1 : 0;
+			report.measurements += measurements.size();
+			for (const Measurement& m : measurements) onMeasurement_(m);
+			take(std::move(measurements), isScan);
+		}
+		catch (const UserError&)
+		{
+			throw;
+		}
+		catch (const std::exception& e)
+		{
+			throw UserError("'" + path + "': " + oneLine(e), "repair or leave out this input");
+		}
+		progress_.show(reader.fraction(), report.measurements);
+	}
+	report.poseSource = reader.poseSource();
+	progress_.clear();
+	if (report.measurements == 0) failEmpty(report);
+}
+
+void Builder::add(const std::string& path, const CRidgeMap2D& earlier)
+{
+	inputs_.emplace_back();
+	inputs_.back().path = path;
+	inputs_.back().poseSource = "none (earlier map)";
+	map_.merge(earlier);
+	outdated_ = true;
+}
+
+void Builder::take(std::vector<Measurement>&& measurements, bool isScan)
+{
+	if (measurements.empty()) return;
+	if (!feed_.shuffleSeed && feed_.batch == 0) return insert(measurements, isScan);
+	waiting_.insert(waiting_.end(), measurements.begin(), measurements.end());
+	if (feed_.shuffleSeed) return;
+	std::size_t done = 0;
+	for (; waiting_.size() - done >= feed_.batch; done += feed_.batch)
+	{
+		const auto first = waiting_.begin() + std::ptrdiff_t(done);
+		insert(std::vector<Measurement>(first, first + std::ptrdiff_t(feed_.batch)), true);
+	}
+	waiting_.erase(waiting_.begin(), waiting_.begin() + std::ptrdiff_t(done));
+}
+
+void Builder::insert(const std::vector<Measurement>& measurements, bool update)
+{
+	const auto start = std::chrono::steady_clock::now();
+	map_.insertMeasurements(measurements);
+	outdated_ = !update;
+	if (!update) return;
+	const UpdateResult result = map_.update(feed_.threads);
+	record(result, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+}
+
+void Builder::record(const UpdateResult& result, double milliseconds)
+{
+	updates_.regions += result.regions.size();
+	updates_.vanished += result.vanished.size();
+	updates_.appeared += result.appeared.size();
+	UpdateResult slim = result;
+	slim.regions.clear();
+	slim.vanished.clear();
+	slim.appeared.clear();
+	updates_.sum += slim;
+	updates_.milliseconds.push_back(milliseconds);
+}
+
+void Builder::feedShuffled()
+{
+	std::mt19937_64 random(*feed_.shuffleSeed);
+	for (std::size_t i = waiting_.size(); i > 1; i--) std::swap(waiting_[i - 1], waiting_[random() % i]);
+	const std::size_t batch = feed_.batch != 0 ? feed_.batch : std::max<std::size_t>(1, (waiting_.size() + 9) / 10);
+	progress_.start("shuffled", "measurements");
+	for (std::size_t done = 0; done < waiting_.size(); done += batch)
+	{
+		throwIfInterrupted();
+		const std::size_t end = std::min(done + batch, waiting_.size());
+		insert(
+			std::vector<Measurement>(waiting_.begin() + std::ptrdiff_t(done), waiting_.begin() + std::ptrdiff_t(end)),
+			true);
+		progress_.show(double(end) / double(waiting_.size()), end);
+	}
+	progress_.clear();
+}
+
+void Builder::finish()
+{
+	if (feed_.shuffleSeed)
+		feedShuffled();
+	else if (!waiting_.empty())
+		insert(waiting_, true);
+	waiting_ = {};
+	if (!outdated_) return;
+	const auto start = std::chrono::steady_clock::now();
+	const UpdateResult result = map_.update(feed_.threads);
+	record(result, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+	outdated_ = false;
+}
+
+void catchInterrupts()
+{
+	for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { interrupted = 1; });
+}
+
+void throwIfInterrupted()
+{
+	if (interrupted != 0) throw UserError("interrupted", "no file was written; start again");
+}
+
+}  // namespace ridgemap::apps

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ridgemap/CRidgeMap2D.h>
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frame.h"
+#include "progress.h"
+
+namespace ridgemap::apps
+{
+/** In which portions the measurements reach the map. The outcome does not depend on it. */
+struct Feed
+{
+	std::optional<std::uint64_t> shuffleSeed;  ///< random order
+	std::size_t batch = 0;                     ///< measurements per update; 0: scan by scan
+	unsigned threads = 1;
+};
+
+/** What one input held. */
+struct InputReport
+{
+	std::string path;
+	std::string poseSource;
+	std::size_t scans = 0;  ///< observations that gave measurements
+	std::size_t measurements = 0;
+	std::size_t withoutPose = 0;                 ///< observations left out because their pose is not known
+	std::size_t notFinite = 0;                   ///< ranges left out because they are NaN or infinite
+	std::map<std::string, std::size_t> classes;  ///< observations by class
+	std::vector<Point2> robotPath;
+};
+
+/** What all updates of a run did and how long they took. */
+struct UpdateReport
+{
+	UpdateResult sum;  ///< without regions and names of polylines
+	std::size_t regions = 0, vanished = 0, appeared = 0;
+	std::vector<double> milliseconds;  ///< of every insertion with its update
+};
+
+/** Feeds a map from readers. */
+class Builder
+{
+ public:
+	/** `onMeasurement` is told every measurement, in the order of the inputs. */
+	Builder(CRidgeMap2D& map, const Feed& feed, std::function<void(const Measurement&)> onMeasurement,
+			Progress& progress);
+
+	/** Feeds all frames of an input. Throws UserError if there is no measurement in it. */
+	void add(const std::string& path, FrameReader& reader);
+
+	/** Merges an earlier map. */
+	void add(const std::string& path, const CRidgeMap2D& earlier);
+
+	/** Feeds what is still waiting and brings the map up to date. Call once after the last add(). */
+	void finish();
+
+	const std::vector<InputReport>& inputs() const { return inputs_; }
+	const UpdateReport& updates() const { return updates_; }
+
+ private:
+	CRidgeMap2D& map_;
+	const Feed feed_;
+	const std::function<void(const Measurement&)> onMeasurement_;
+	Progress& progress_;
+	std::vector<InputReport> inputs_;
+	UpdateReport updates_;
+	std::vector<Measurement> waiting_;  ///< for the next batch, or for shuffling
+	bool outdated_ = false;             ///< measurements were inserted without an update
+
+	std::vector<Measurement> measurementsOf(Frame& frame, InputReport& report) const;
+	void take(std::vector<Measurement>&& measurements, bool isScan);
+	void insert(const std::vector<Measurement>& measurements, bool update);
+	void feedShuffled();
+	void record(const UpdateResult& result, double milliseconds);
+};
+
+/** Makes Ctrl-C and termination end a run with an exception, so that temporary files are removed. */
+void catchInterrupts();
+/** Throws UserError after Ctrl-C. */
+void throwIfInterrupted();
+
+}  // namespace ridgemap::apps

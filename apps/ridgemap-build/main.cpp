@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ridgemap/CRidgeMap2D.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+
+#include "../common/map_file.h"
+#include "../common/map_report.h"
+#include "../common/user_error.h"
+#include "builder.h"
+#include "command_line.h"
+#include "inputs.h"
+#include "map_settings.h"
+#include "outputs.h"
+#include "stats.h"
+
+namespace ridgemap::apps
+{
+namespace
+{
+using EarlierMaps = std::map<std::string, CRidgeMap2D>;
+
+/** Looks at all inputs before anything long is started. */
+EarlierMaps checkInputs(const CommandLine& c)
+{
+	EarlierMaps maps;
+	bool rawlog = false;
+	for (const std::string& path : c.inputs)
+	{
+		const InputKind kind = kindOf(path);
+		GzInput readable(path);
+		rawlog = rawlog || kind == InputKind::rawlog;
+		if (kind == InputKind::ridgemap) maps.emplace(path, loadMap(path));
+	}
+	if (!rawlog && (!c.poses.empty() || c.odometry))
+		throw UserError("--poses and --odometry are for rawlogs, and there is none among the inputs",
+						"leave the option out");
+	return maps;
+}
+
+/** Options of earlier maps are taken over; what the user asks for must agree with them. */
+MapOptions chooseOptions(const MapSettings& settings, const EarlierMaps& maps)
+{
+	const MapOptions options = settings.applyTo(maps.empty() ? MapOptions() : maps.begin()->second.mapOptions());
+	for (const auto& [path, map] : maps)
+		if (const Options& theirs = map.options(); theirs != options.creation)
+			throw UserError("'" + path + "' was built with other options: " + differences(theirs, options.creation),
+							"give maps built alike and leave these options out, or build from the measurements again");
+	return options;
+}
+
+PoseChoice choosePoses(const CommandLine& c, const MapSettings& settings)
+{
+	PoseChoice choice;
+	if (!c.poses.empty()) choice.track = std::make_shared<PoseTrack>(readPoseTrack(c.poses));
+	choice.odometry = c.odometry;
+	choice.config = settings.config();
+	return choice;
+}
+
+std::string titleOf(const CommandLine& c, const CRidgeMap2D& map)
+{
+	std::string title = std::filesystem::path(c.inputs.front()).filename().string();
+	if (c.inputs.size() > 1) title += " and " + std::to_string(c.inputs.size() - 1) + " more";
+	char figures[100];
+	std::snprintf(figures, sizeof(figures), ",  sigma %g m,  %.1f m of wall", map.options().sigma,
+				  figuresOf(map.walls()).metres);
+	return title + figures;
+}
+
+void build(const CommandLine& c, const MapSettings& settings, const EarlierMaps& maps, Outputs& outputs)
+{
+	const auto start = std::chrono::steady_clock::now();
+	const PoseChoice poses = choosePoses(c, settings);
+	const Feed feed{c.shuffleSeed, c.batch, c.threads};
+	CRidgeMap2D map(chooseOptions(settings, maps));
+	map.setThreads(c.threads);
+	Progress progress(!c.quiet);
+	Builder builder(
+		map, feed, [&](const Measurement& m) { outputs.addMeasurement(m); }, progress);
+	for (const std::string& path : c.inputs)
+		if (const auto earlier = maps.find(path); earlier != maps.end())
+			builder.add(path, earlier->second);
+		else
+			builder.add(path, *openReader(path, poses));
+	builder.finish();
+
+	const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+	std::vector<std::vector<Point2>> paths;
+	for (const InputReport& r : builder.inputs())
+		if (!r.robotPath.empty()) paths.push_back(r.robotPath);
+	outputs.write(map, paths, titleOf(c, map),
+				  [&](std::ostream& out, const Outputs::FileSizes& sizes)
+				  { writeStats(out, map, builder, feed, seconds, sizes); });
+	if (!c.quiet) printSummary(map, builder, seconds, outputs);
+}
+
+int run(int argc, char** argv)
+{
+	const auto c = parseCommandLine(argc, argv);
+	if (!c) return 0;
+	const MapSettings settings(c->config, c->settings);
+	if (c->dumpConfig)
+	{
+		std::fputs(iniText(settings.applyTo(MapOptions())).c_str(), stdout);
+		return 0;
+	}
+	const EarlierMaps maps = checkInputs(*c);
+	chooseOptions(settings, maps);
+	Outputs outputs(c->prefix, c->formats);
+	catchInterrupts();
+	build(*c, settings, maps, outputs);
+	return 0;
+}
+
+}  // namespace
+}  // namespace ridgemap::apps
+
+int main(int argc, char** argv)
+{
+	return ridgemap::apps::runProgram("ridgemap-build", ridgemap::apps::run, argc, argv);
+}

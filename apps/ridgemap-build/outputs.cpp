@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "outputs.h"
+
+#include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt/opengl/CSetOfLines.h>
+#include <mrpt/opengl/CSetOfObjects.h>
+#include <ridgemap/drawing.h>
+#include <ridgemap/polyline_csv.h>
+
+#include <filesystem>
+
+#include "../common/user_error.h"
+#include "command_line.h"
+
+namespace ridgemap::apps
+{
+namespace fs = std::filesystem;
+
+namespace
+{
+constexpr const char* remedy = "choose another -o PREFIX, or make room there";
+
+mrpt::opengl::CSetOfLines::Ptr pathLines(const std::vector<std::vector<Point2>>& robotPaths)
+{
+	auto lines = mrpt::opengl::CSetOfLines::Create();
+	lines->setColor_u8(0xf0, 0x80, 0x18);
+	lines->setName("robot path");
+	for (const auto& path : robotPaths)
+		for (std::size_t i = 1; i < path.size(); i++)
+			lines->appendLine(path[i - 1].x, path[i - 1].y, 0, path[i].x, path[i].y, 0);
+	return lines;
+}
+
+}  // namespace
+
+Outputs::Outputs(const std::string& prefix, const std::set<std::string>& formats) : prefix_(prefix), formats_(formats)
+{
+	createDirectory();
+	try
+	{
+		for (const std::string& path : paths()) AtomicFile probe(path);
+		if (!wanted("measurements")) return;
+		measurements_.emplace(pathOf("measurements"));
+		writePointsCsvHeader(measurements_->stream());
+	}
+	catch (const std::exception& e)
+	{
+		if (!createdDirectory_.empty()) fs::remove(createdDirectory_);
+		throw UserError(oneLine(e), remedy);
+	}
+}
+
+Outputs::~Outputs()
+{
+	measurements_.reset();
+	finished_.clear();
+	std::error_code ignored;
+	if (!createdDirectory_.empty()) fs::remove(createdDirectory_, ignored);  // fails if files were written to it
+}
+
+void Outputs::createDirectory()
+{
+	const fs::path directory = fs::path(prefix_).parent_path();
+	std::error_code error;
+	if (directory.empty() || fs::is_directory(directory, error)) return;
+	if (fs::exists(directory, error)) throw UserError("'" + directory.string() + "' is not a directory", remedy);
+	fs::create_directory(directory, error);
+	if (error)
+		throw UserError("cannot create the directory '" + directory.string() + "': " + error.message(),
+						"create its parent, or choose another -o PREFIX");
+	createdDirectory_ = directory.string();
+}
+
+std::string Outputs::pathOf(const std::string& format) const
+{
+	static const std::map<std::string, std::string> suffixes{
+		{"ridgemap", ".ridgemap"}, {"ridges", "_ridges.csv"},
+		{"walls", "_walls.csv"},   {"measurements", "_measurements.csv"},
+		{"png", ".png"},           {"svg", ".svg"},
+		{"3dscene", ".3Dscene"},   {"stats", "_stats.json"}};
+	return prefix_ + suffixes.at(format);
+}
+
+std::vector<std::string> Outputs::paths() const
+{
+	std::vector<std::string> all;
+	for (const std::string& format : allFormats())
+		if (wanted(format)) all.push_back(pathOf(format));
+	return all;
+}
+
+void Outputs::addMeasurement(const Measurement& m)
+{
+	if (measurements_) appendPointCsv(measurements_->stream(), m.x, m.y);
+}
+
+void Outputs::keep(const std::string& format, const std::function<void(AtomicFile&)>& writer)
+{
+	if (!wanted(format)) return;
+	AtomicFile file(pathOf(format));
+	writer(file);
+	file.finish();
+	finished_.push_back(std::move(file));
+}
+
+void Outputs::writePictures(const CRidgeMap2D& map, const std::vector<std::vector<Point2>>& robotPaths,
+							const std::string& title)
+{
+	if (!wanted("png") && !wanted("svg")) return;
+	Drawing drawing;
+	drawing.lines = map.walls();
+	drawing.measurements = map.core().cellCentroids();
+	drawing.paths = robotPaths;
+	drawing.title = title;
+	keep("svg", [&](AtomicFile& file) { writeSvg(file.stream(), drawing); });
+	keep("png",
+		 [&](AtomicFile& file)
+		 {
+			 const std::vector<std::uint8_t> bytes = encodePng(drawing);
+			 file.stream().write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+		 });
+}
+
+void Outputs::writeScene(const CRidgeMap2D& map, const std::vector<std::vector<Point2>>& robotPaths)
+{
+	keep("3dscene",
+		 [&](AtomicFile& file)
+		 {
+			 mrpt::opengl::COpenGLScene scene;
+			 auto objects = mrpt::opengl::CSetOfObjects::Create();
+			 map.getVisualizationInto(*objects);
+			 scene.insert(objects);
+			 if (!robotPaths.empty()) scene.insert(pathLines(robotPaths));
+			 if (!scene.saveToFile(file.temporaryPath()))
+				 throw std::runtime_error("cannot write '" + file.path() + "': the disk may be full");
+		 });
+}
+
+void Outputs::write(const CRidgeMap2D& map, const std::vector<std::vector<Point2>>& robotPaths,
+					const std::string& title, const std::function<void(std::ostream&, const FileSizes&)>& writeStats)
+{
+	try
+	{
+		keep("ridgemap", [&](AtomicFile& file) { saveRidgeMap(file.temporaryPath(), map); });
+		keep("ridges", [&](AtomicFile& file) { writePolylinesCsv(file.stream(), map.ridges()); });
+		keep("walls", [&](AtomicFile& file) { writePolylinesCsv(file.stream(), map.walls()); });
+		if (measurements_)
+		{
+			measurements_->finish();
+			finished_.push_back(std::move(*measurements_));
+			measurements_.reset();
+		}
+		writePictures(map, robotPaths, title);
+		writeScene(map, robotPaths);
+		FileSizes sizes;
+		for (const AtomicFile& file : finished_)
+			sizes[fs::path(file.path()).filename().string()] = fs::file_size(file.temporaryPath());
+		keep("stats", [&](AtomicFile& file) { writeStats(file.stream(), sizes); });
+		for (AtomicFile& file : finished_) file.commit();
+	}
+	catch (const std::exception& e)
+	{
+		throw UserError(oneLine(e), remedy);
+	}
+}
+
+}  // namespace ridgemap::apps
