@@ -6,8 +6,9 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # Debian packages, by what needs them.
 # shellcheck disable=SC2034
 {
-	build_packages=(g++ cmake make ninja-build ccache libeigen3-dev libmrpt-dev libmrpt-tclap-dev libopencv-dev zlib1g-dev)
-	test_packages=(libgtest-dev libbenchmark-dev mrpt-common mrpt-apps clang-format shellcheck git)
+	build_packages=(g++ cmake make ninja-build ccache libeigen3-dev libmrpt-dev libmrpt-tclap-dev libopencv-dev zlib1g-dev
+		libgtest-dev)
+	test_packages=(libbenchmark-dev mrpt-common mrpt-apps clang-format shellcheck git)
 	demo_packages=(mrpt-common)
 }
 

@@ -12,14 +12,10 @@ build release ridgemap-build ridgemap-info
 rawlog=$(dpkg -L mrpt-common | grep 'SENA_Telecom Faculty_one_loop_only\.rawlog$') ||
 	die "mrpt-common holds no one-loop rawlog; reinstall it with: apt-get install --reinstall mrpt-common"
 
+cd "$root"
+mkdir -p demo-output
 say "replaying $(basename "$rawlog")"
-output="$root/demo-output"
-mkdir -p "$output"
-"$root/build/bin/ridgemap-build" "$rawlog" -o "$output/one_loop"
+build/bin/ridgemap-build "$rawlog" -o demo-output/one_loop
 
-say "the map, as ridgemap-info sees it"
-"$root/build/bin/ridgemap-info" "$output/one_loop.ridgemap"
-
-say "files in $output"
-(cd "$output" && ls -l one_loop*)
-say "pictures: $output/one_loop.png and $output/one_loop.svg"
+say "pictures: $root/demo-output/one_loop.png and .svg"
+say "more about the map: build/bin/ridgemap-info demo-output/one_loop.ridgemap"
