@@ -222,11 +222,22 @@ std::string MapOptions::toIniText(const std::string& sectionPrefix) const
 
 std::string defaultIniText(const std::string& mapSection)
 {
-	const std::string prefix = mapSection + "_ridgeMap_00";
+	const std::string prefix = mapSection + "_ridgeMap_00", creation = prefix + "_creationOpts";
+	const mrpt::maps::TMapGenericParams generic;
 	mrpt::config::CConfigFileMemory ini;
-	ini.write(mapSection, "ridgeMap_count", 1, -1, -1, "number of ridge maps in the multi-metric map of MRPT programs");
+	const auto write = [&](const std::string& section, const char* key, const std::string& value, const char* comment)
+	{
+		ini.write(section, key, value, mrpt::config::MRPT_SAVE_NAME_PADDING(), mrpt::config::MRPT_SAVE_VALUE_PADDING(),
+				  comment);
+	};
+	write(mapSection, "ridgeMap_count", "1", "number of ridge maps in the multi-metric map of an MRPT program");
 	MapOptions().saveToConfigFile(ini, prefix);
-	mrpt::maps::TMapGenericParams().saveToConfigFile(ini, prefix + "_creationOpts");
+	write(creation, "enableSaveAs3DObject", optionText(generic.enableSaveAs3DObject),
+		  "of every map: show in 3-D scenes");
+	write(creation, "enableObservationLikelihood", optionText(generic.enableObservationLikelihood),
+		  "of every map: take part in likelihoods");
+	write(creation, "enableObservationInsertion", optionText(generic.enableObservationInsertion),
+		  "of every map: take in observations");
 	return ini.getContent();
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <system_error>
@@ -71,7 +72,12 @@ std::string joined(const std::vector<std::string>& words)
 
 std::string optionText(double value)
 {
-	return numberText(value);
+	// Left to itself, to_chars() writes a million as 1e+06.
+	const double size = std::abs(value);
+	char buffer[40];
+	if (!(size >= 1e-4 && size < 1e9)) return numberText(value);
+	const auto r = std::to_chars(buffer, buffer + sizeof(buffer), value, std::chars_format::fixed);
+	return std::string(buffer, r.ptr);
 }
 std::string optionText(unsigned value)
 {
