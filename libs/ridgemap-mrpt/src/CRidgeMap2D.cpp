@@ -2,7 +2,8 @@
 #include <mrpt/core/format.h>
 #include <ridgemap/CRidgeMap2D.h>
 
-#include <stdexcept>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "query_cache.h"
@@ -125,7 +126,11 @@ mrpt::math::TBoundingBoxf CRidgeMap2D::boundingBox() const
 {
 	const Box2 box = core_.boundingBox();
 	if (box.empty()) return {{0, 0, 0}, {0, 0, 0}};
-	return {{float(box.min.x), float(box.min.y), 0}, {float(box.max.x), float(box.max.y), 0}};
+	// Rounded outwards, for single precision must not cut off a measurement.
+	constexpr float infinite = std::numeric_limits<float>::infinity();
+	const auto low = [](double v) { return float(v) > v ? std::nextafter(float(v), -infinite) : float(v); };
+	const auto high = [](double v) { return float(v) < v ? std::nextafter(float(v), infinite) : float(v); };
+	return {{low(box.min.x), low(box.min.y), 0}, {high(box.max.x), high(box.max.y), 0}};
 }
 
 }  // namespace ridgemap
