@@ -6,7 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # Debian packages, by what needs them.
 # shellcheck disable=SC2034
 {
-	build_packages=(g++ cmake make ninja-build ccache libeigen3-dev libmrpt-dev libmrpt-tclap-dev libopencv-dev zlib1g-dev
+	build_packages=(g++ cmake make ninja-build ccache libmrpt-dev libmrpt-tclap-dev libopencv-dev zlib1g-dev
 		libgtest-dev)
 	test_packages=(libbenchmark-dev mrpt-common mrpt-apps clang-format shellcheck git)
 	demo_packages=(mrpt-common)
