@@ -14,7 +14,8 @@ void writeOption(JsonWriter& json, const std::string& key, const std::string& te
 {
 	double number = 0;
 	const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-	if (error == std::errc() && at == text.data() + text.size() && std::isfinite(number))
+	const bool isColor = key.find("Color") != std::string::npos;  // hexadecimal digits
+	if (!isColor && error == std::errc() && at == text.data() + text.size() && std::isfinite(number))
 		json.value(key, number);
 	else if (text == "true" || text == "false")
 		json.value(key, text == "true");
