@@ -87,6 +87,11 @@ bool GzInput::atEnd()
 	return true;
 }
 
+void GzInput::drain()
+{
+	for (char rest[1 << 14]; !atEnd();) Read(rest, sizeof(rest));
+}
+
 bool GzInput::readLine(std::string& line)
 {
 	line.clear();

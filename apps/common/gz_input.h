@@ -26,6 +26,9 @@ class GzInput : public mrpt::io::CStream
 	/** True when all bytes were read and the check sum of a compressed file was right. */
 	bool atEnd();
 
+	/** Reads on to the end, which checks the whole of a compressed file. */
+	void drain();
+
 	/** Next line without its line end (LF or CR LF); false at the end. Longer lines than 1 MB are an error. */
 	bool readLine(std::string& line);
 

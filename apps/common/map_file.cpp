@@ -8,7 +8,7 @@ namespace ridgemap::apps
 {
 CRidgeMap2D loadMap(const std::string& path)
 {
-	const GzInput readable(path);  // says more clearly what is wrong with a file that cannot be opened
+	GzInput(path).drain();  // says more clearly what is wrong with a file that is missing, cut off or damaged
 	try
 	{
 		return loadRidgeMap(path);

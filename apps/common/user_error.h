@@ -17,7 +17,8 @@ class UserError : public std::runtime_error
 /** The cause in one line: MRPT's exceptions carry several lines of locations and call stacks around it. */
 std::string oneLine(const std::exception& e);
 
-/** Runs a program: an exception becomes the line `program: error: ...` on stderr and a non-zero return code. */
+/** Runs a program with C++ streams silenced, because MRPT prints to them: an exception becomes the line `program:
+ * error: ...` on stderr and a non-zero return code. */
 int runProgram(const char* program, int (*body)(int, char**), int argc, char** argv);
 
 }  // namespace ridgemap::apps

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/core/Clock.h>
 #include <mrpt/core/bits_math.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/poses/CPose3DPDF.h>
 #include <mrpt/slam/CMetricMapBuilderICP.h>
+#include <mrpt/system/datetime.h>
 
 #include "pose_source.h"
 
@@ -70,10 +72,15 @@ class IcpPoses : public PoseSource
 		slam_.initialize();
 	}
 
-	void see(const mrpt::obs::CActionCollection::Ptr& action) override { action_ = action; }
+	void see(const mrpt::obs::CActionCollection::Ptr& action) override
+	{
+		action_ = action;
+		for (std::size_t i = 0; i < action->size(); i++) addTime(action->get(i));
+	}
 
 	void see(const mrpt::obs::CSensoryFrame::Ptr& frame) override
 	{
+		for (const auto& observation : *frame) addTime(*observation);
 		mrpt::obs::CActionCollection none;
 		slam_.processActionObservation(action_ ? *action_ : none, *frame);
 		action_.reset();
@@ -82,6 +89,7 @@ class IcpPoses : public PoseSource
 
 	void see(const mrpt::obs::CObservation::Ptr& observation) override
 	{
+		addTime(*observation);
 		slam_.processObservation(observation);
 		updatePose();
 	}
@@ -93,6 +101,14 @@ class IcpPoses : public PoseSource
 	mrpt::slam::CMetricMapBuilderICP slam_;
 	mrpt::obs::CActionCollection::Ptr action_;
 	mrpt::poses::CPose3D pose_;
+	double seconds_ = 0;  ///< time given to the last object without one
+
+	/** ICP-SLAM insists on times, which simulated logs do not have. */
+	template <class Timed>
+	void addTime(Timed& object)
+	{
+		if (object.timestamp == INVALID_TIMESTAMP) object.timestamp = mrpt::Clock::fromDouble(++seconds_);
+	}
 
 	void updatePose()
 	{

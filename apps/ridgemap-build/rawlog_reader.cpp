@@ -129,7 +129,18 @@ bool RawlogReader::next(Frame& frame)
 		const auto object = readObject(input_, objects_);
 		if (!object) return false;
 		objects_++;
-		forParts(object, [this](const CSerializable::Ptr& part) { take(part); });
+		try
+		{
+			forParts(object, [this](const CSerializable::Ptr& part) { take(part); });
+		}
+		catch (const UserError&)
+		{
+			throw;
+		}
+		catch (const std::exception& e)
+		{
+			throw UserError("no poses for '" + input_.path() + "': " + oneLine(e), "give --poses or --odometry");
+		}
 	}
 	frame = std::move(queue_.front());
 	queue_.pop_front();

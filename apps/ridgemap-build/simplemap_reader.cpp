@@ -17,11 +17,7 @@ SimpleMapReader::SimpleMapReader(const std::string& path) : path_(path)
 	{
 		auto archive = mrpt::serialization::archiveFrom(input);
 		archive >> map_;
-		while (!input.atEnd())  // reads on to the check sum of a compressed file
-		{
-			char rest[4096];
-			input.Read(rest, sizeof(rest));
-		}
+		input.drain();
 	}
 	catch (const UserError&)
 	{

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 #include <filesystem>
-#include <iostream>
+#include <sstream>
 
 #include "../common/help_output.h"
 #include "../common/map_file.h"
@@ -66,7 +66,8 @@ int run(int argc, char** argv)
 	// All maps are read before the first line is printed, so that an error stands alone.
 	std::vector<CRidgeMap2D> maps;
 	for (const std::string& path : paths) maps.push_back(loadMap(path));
-	JsonWriter json(std::cout);
+	std::ostringstream text;
+	JsonWriter json(text);
 	if (asJson.getValue() && maps.size() > 1) json.beginArray();
 	for (std::size_t i = 0; i < maps.size(); i++)
 		if (asJson.getValue())
@@ -74,6 +75,7 @@ int run(int argc, char** argv)
 		else
 			printText(paths[i], maps[i]);
 	if (asJson.getValue() && maps.size() > 1) json.end();
+	std::fputs(text.str().c_str(), stdout);
 	return 0;
 }
 

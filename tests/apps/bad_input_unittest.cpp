@@ -69,7 +69,7 @@ TEST_F(BadInput, usage)
 {
 	expectFailure({}, {"no input", "--help"});
 	expectFailure({good, "--bogus"}, {"unknown option '--bogus'", "--help"});
-	expectFailure({good, "--sigma"}, {"sigma"});
+	expectFailure({good, "-o", dir / "result", "--sigma"}, {"sigma", "--help"});
 	expectFailure({good, "--sigma", "0.1", "--sigma", "0.2"}, {"sigma"});
 	expectFailure({good, "--formats", "png,gif"}, {"unknown format 'gif'", "3dscene"});
 	expectFailure({good, "--formats", ""}, {"--formats"});

@@ -129,7 +129,7 @@ TEST_F(OutputFiles, infoAgreesWithTheStatistics)
 	for (const char* what : {"polylines", "nodes", "metres", "closed"})
 		for (const char* kind : {"ridges", "walls"})
 			EXPECT_EQ(info["map"][kind][what].as<double>(), stats["map"][kind][what].as<double>()) << kind << what;
-	EXPECT_NEAR(info["map"]["boundingBox"]["maxX"].as<double>(), 6, 0.5);  // 5 m of range from x = 1.5 .. 4
+	EXPECT_NEAR(info["map"]["boundingBox"]["maxX"].as<double>(), 8, 0.1);
 	const RunResult text = runInfo({dir / "map.ridgemap"});
 	ASSERT_EQ(text.code, 0) << text.err;
 	for (const char* word : {"measurements", "walls", "ridges", "bounding box", "sigma", "maxRange              5\n"})
