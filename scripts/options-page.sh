@@ -20,7 +20,7 @@ END
 		section = $0
 		next
 	}
-	/=/ {
+	/=/ && section ~ /Opts\]$/ {
 		split_at = index($0, "=")
 		key = substr($0, 1, split_at - 1)
 		rest = substr($0, split_at + 1)
