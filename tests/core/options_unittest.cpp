@@ -36,8 +36,8 @@ const std::vector<NumberCase>& numberCases()
 		{"tileEdge", &Options::tileEdge, {12, 16, 20, 64}, {0, 8, 68, -16}, {"12", "64", "sigma"}},
 		{"tileEdge", &Options::tileEdge, {16}, {14, 17, 16.5}, {"multiple of 4"}},
 		{"maxStep", &Options::maxStep, {0.1, 2, 4}, {0, 0.09, 4.1, -1}, {"0.1", "4", "sigma"}},
+		{"maxSensitivity", &Options::maxSensitivity, {1, 60, 1e6}, {0.99, 1.1e6, -1}, {"1", "1e+06"}},
 		{"minCurvature", &Options::minCurvature, {0, 0.05, 1}, {-0.01, 1.01}, {"0", "1"}},
-		{"minEigenGap", &Options::minEigenGap, {0, 0.02, 1}, {-0.01, 1.01}, {"0", "1"}},
 		{"pruneLength", &Options::pruneLength, {0, 3, 100}, {-1, 101}, {"0", "100", "sigma"}},
 		{"attachDistance", &Options::attachDistance, {0, 2.2, 5}, {-1, 5.1}, {"0", "5", "sigma"}},
 	};

@@ -71,7 +71,7 @@ TEST(MapOptions, EveryFieldOfTheCoreIsInTheTable)
 	Options all;
 	all.sigma = 0.07, all.eps = 0.001, all.lTol = 2.5, all.dTol = 3.5, all.cell = 0.25, all.cutoff = 6,
 	all.tileEdge = 20;
-	all.maxStep = 1.5, all.minCurvature = 0.25, all.minEigenGap = 0.04, all.stepRule = StepRule::paper;
+	all.maxStep = 1.5, all.minCurvature = 0.25, all.maxSensitivity = 40, all.stepRule = StepRule::paper;
 	all.seedRule = SeedRule::maximum, all.prune = false, all.pruneLength = 4, all.attach = false,
 	all.attachDistance = 1;
 	MapOptions from, to;
@@ -213,7 +213,7 @@ TEST(MapOptions, GenericParametersOfMrptAreNoMistake)
 TEST(MapOptions, RangesOfTheTableAreThoseOfTheCore)
 {
 	// What the table lets through, the core must not reject, and just outside both must reject.
-	for (const char* key : {"sigma", "lTol", "dTol", "cutoff", "tileEdge", "maxStep", "minCurvature", "minEigenGap",
+	for (const char* key : {"sigma", "lTol", "dTol", "cutoff", "tileEdge", "maxStep", "maxSensitivity", "minCurvature",
 							"pruneLength", "attachDistance"})
 	{
 		MapOptions o;
@@ -232,10 +232,10 @@ TEST(MapOptions, RangesOfTheTableAreThoseOfTheCore)
 		const auto set = [&](double v)
 		{
 			double* fields[] = {&beyond.sigma,       &beyond.lTol,          &beyond.dTol,         &beyond.cutoff,
-								&beyond.tileEdge,    &beyond.maxStep,       &beyond.minCurvature, &beyond.minEigenGap,
+								&beyond.tileEdge,    &beyond.maxStep,       &beyond.maxSensitivity, &beyond.minCurvature,
 								&beyond.pruneLength, &beyond.attachDistance};
 			const char* names[] = {"sigma",   "lTol",         "dTol",        "cutoff",      "tileEdge",
-								   "maxStep", "minCurvature", "minEigenGap", "pruneLength", "attachDistance"};
+								   "maxStep", "maxSensitivity", "minCurvature", "pruneLength", "attachDistance"};
 			beyond = Options();
 			for (std::size_t i = 0; i < std::size(names); i++)
 				if (std::string(names[i]) == key) *fields[i] = v;

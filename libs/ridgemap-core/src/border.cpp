@@ -8,10 +8,11 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double scanStep = 0.5;  ///< distance of samples along a border [sigma]
+constexpr double scanStep = 0.5;   ///< distance of samples along a border [sigma]
 constexpr double goodAngle = 0.3;  ///< sine of the angle between ridge and border that is good enough
-constexpr double nearMiss = 0.1;  ///< a ridge that comes this close to a border without crossing it is too close [sigma]
-constexpr double rootTolerance = 1e-6;	///< [sigma]
+constexpr double nearMiss =
+	0.1;  ///< a ridge that comes this close to a border without crossing it is too close [sigma]
+constexpr double rootTolerance = 1e-6;  ///< [sigma]
 constexpr int maxSplits = 5;
 
 /** A sample on the border, with f and its derivative along the border; `sign` makes v1 continuous. */
@@ -26,7 +27,7 @@ struct BorderSample
 /** Scan of one straight segment of a border. */
 class SegmentScan
 {
-   public:
+ public:
 	SegmentScan(const TileField& field, const Options& options, Vec2 from, Vec2 to)
 		: field_(field), options_(options), from_(from), to_(to), length_(norm(to - from)), direction_(unit(to - from))
 	{
@@ -48,7 +49,7 @@ class SegmentScan
 	/** Least sine of an angle between ridge and border seen so far; 0 after a near miss. */
 	double quality() const { return quality_; }
 
-   private:
+ private:
 	bool isWorth(const BorderSample& b) const { return b.r.occupancy >= 0.5 * options_.lTol; }
 
 	BorderSample sampleAt(double s, const BorderSample* like) const
@@ -128,8 +129,7 @@ class SegmentScan
 		if (!isRidgeLike(r, options_)) return;
 		const Vec2 tangent = r.tangent(r.v2);
 		if (r.occupancy >= 0.9 * options_.lTol) quality_ = std::min(quality_, std::abs(cross(tangent, direction_)));
-		if (r.occupancy >= options_.lTol && isSupported(r.p, tangent))
-			crossings.push_back({r.p, tangent, s0 + root.s});
+		if (r.occupancy >= options_.lTol && isSupported(r.p, tangent)) crossings.push_back({r.p, tangent, s0 + root.s});
 	}
 
 	/** Measurements lie on both sides of the border along the ridge, so that it does not end right here. */
@@ -142,7 +142,8 @@ class SegmentScan
 								 {
 									 const Vec2 d = q - p;
 									 const double along = dot(d, tangent), across = cross(tangent, d);
-									 if (std::abs(across) > supportWidth || std::abs(along) > options_.dTol + extent) return;
+									 if (std::abs(across) > supportWidth || std::abs(along) > options_.dTol + extent)
+										 return;
 									 ahead = ahead || along + extent >= 0;
 									 behind = behind || along - extent <= 0;
 								 });
@@ -158,7 +159,8 @@ class SegmentScan
 };
 
 /** Lays a border along the given vertices. Returns how transversal its worst crossing is. */
-double scanPath(const TileField& field, const Options& options, const std::vector<Vec2>& path, std::vector<Crossing>& crossings)
+double scanPath(const TileField& field, const Options& options, const std::vector<Vec2>& path,
+				std::vector<Crossing>& crossings)
 {
 	double quality = 1, s0 = 0;
 	for (std::size_t i = 1; i < path.size(); i++)

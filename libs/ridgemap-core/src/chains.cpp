@@ -14,10 +14,14 @@ std::pair<TileKey, int> beyond(TileKey key, int side)
 {
 	switch (side)
 	{
-		case bottomSide: return {{key.x, key.y - 1}, topSide};
-		case topSide: return {{key.x, key.y + 1}, bottomSide};
-		case leftSide: return {{key.x - 1, key.y}, rightSide};
-		default: return {{key.x + 1, key.y}, leftSide};
+		case bottomSide:
+			return {{key.x, key.y - 1}, topSide};
+		case topSide:
+			return {{key.x, key.y + 1}, bottomSide};
+		case leftSide:
+			return {{key.x - 1, key.y}, rightSide};
+		default:
+			return {{key.x + 1, key.y}, leftSide};
 	}
 }
 
@@ -62,7 +66,7 @@ Chains::Chain Chains::assemble(const TileStore& tiles, const PieceRef& any)
 	const auto same = [](const PieceRef& a, const PieceRef& b) { return a.tile == b.tile && a.piece == b.piece; };
 	Chain chain;
 	PieceRef first = any;
-	first.reversed = true;	// walk against the piece to its beginning
+	first.reversed = true;  // walk against the piece to its beginning
 	PieceRef step;
 	bool loop = false;
 	while (next(tiles, first, step))
@@ -151,15 +155,17 @@ Polyline Chains::materialise(const Chain& chain, const TileStore& tiles, const F
 {
 	Polyline line;
 	line.closed = chain.closed;
-	const auto add = [&](TileKey key, Vec2 p)
+	const auto add = [&](TileKey key, const RidgeNode& node)
 	{
-		const Point2 q = frame.toMap(tiles.toLattice(key, p));
-		if (line.points.empty() || q != line.points.back()) line.points.push_back(q);
+		const Point2 q = frame.toMap(tiles.toLattice(key, node.p));
+		if (!line.points.empty() && q == line.points.back()) return;
+		line.points.push_back(q);
+		line.info.push_back(node.info);
 	};
 	for (std::size_t i = 0; i < chain.pieces.size(); i++)
 	{
 		const PieceRef& r = chain.pieces[i];
-		const std::vector<Vec2>& nodes = tiles.find(r.tile)->pieces[std::size_t(r.piece)].nodes;
+		const std::vector<RidgeNode>& nodes = tiles.find(r.tile)->pieces[std::size_t(r.piece)].nodes;
 		// The crossing between two pieces is written once, as the earlier piece has it.
 		for (std::size_t k = i == 0 ? 0 : 1; k < nodes.size(); k++)
 			add(r.tile, nodes[r.reversed ? nodes.size() - 1 - k : k]);
@@ -176,7 +182,8 @@ std::vector<Polyline> Chains::polylines(const TileStore& tiles, const Frame& fra
 {
 	std::vector<const Chain*> order;
 	for (const auto& entry : chains_) order.push_back(&entry.second);
-	std::sort(order.begin(), order.end(), [](const Chain* a, const Chain* b) { return comesBefore(a->pieces[0], b->pieces[0]); });
+	std::sort(order.begin(), order.end(),
+			  [](const Chain* a, const Chain* b) { return comesBefore(a->pieces[0], b->pieces[0]); });
 	std::vector<Polyline> result;
 	for (const Chain* c : order)
 	{
@@ -189,7 +196,8 @@ std::vector<Polyline> Chains::polylines(const TileStore& tiles, const Frame& fra
 Polyline Chains::polyline(PolylineId id, const TileStore& tiles, const Frame& frame) const
 {
 	const auto it = chains_.find(id);
-	if (it == chains_.end()) throw std::out_of_range("ridge map: no polyline of this name; it has vanished in an update");
+	if (it == chains_.end())
+		throw std::out_of_range("ridge map: no polyline of this name; it has vanished in an update");
 	return materialise(it->second, tiles, frame);
 }
 

@@ -23,7 +23,7 @@ struct ReplacedTile
  * boundary"). Only polylines that touch a replaced tile are assembled anew. Order and direction are canonical. */
 class Chains
 {
-   public:
+ public:
 	/** Brings the polylines up to date; adds to vanished and appeared of the result. */
 	void update(TileStore& tiles, const std::vector<ReplacedTile>& replaced, UpdateResult& result);
 
@@ -34,7 +34,7 @@ class Chains
 	/** One polyline; throws std::out_of_range if there is none of this name. */
 	Polyline polyline(PolylineId id, const TileStore& tiles, const Frame& frame) const;
 
-   private:
+ private:
 	struct PieceRef
 	{
 		TileKey tile;

@@ -5,7 +5,10 @@
 
 namespace ridgemap
 {
-int TileField::haloBlocks(double cutoff) { return int(std::ceil((margin + cutoff) / double(Frame::blockEdge))); }
+int TileField::haloBlocks(double cutoff)
+{
+	return int(std::ceil((margin + cutoff) / double(Frame::blockEdge)));
+}
 
 TileField::TileField(const TileStore& store, TileKey key, const Options& options)
 	: edge_(store.tileEdge()), cutoff_(options.cutoff), halo_(haloBlocks(options.cutoff))

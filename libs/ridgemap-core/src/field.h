@@ -26,7 +26,7 @@ struct FieldWork
  * (it counts its work); make one per tile and thread. */
 class TileField
 {
-   public:
+ public:
 	/** How far outside its tile a field may be asked [sigma]. */
 	static constexpr double margin = 3;
 
@@ -70,7 +70,7 @@ class TileField
 
 	const FieldWork& work() const { return work_; }
 
-   private:
+ private:
 	struct Range
 	{
 		int first, last;
@@ -81,9 +81,9 @@ class TileField
 
 	double edge_;
 	double cutoff_;
-	int halo_;	///< blocks beyond the tile on each side
-	int side_;	///< blocks along one side of the neighbourhood
-	std::vector<const Block*> blocks_;	///< row by row; nullptr where there is no kernel
+	int halo_;                          ///< blocks beyond the tile on each side
+	int side_;                          ///< blocks along one side of the neighbourhood
+	std::vector<const Block*> blocks_;  ///< row by row; nullptr where there is no kernel
 	std::size_t nonEmpty_ = 0;
 	double totalWeight_ = 0;
 	mutable std::vector<BlockView> views_;

@@ -12,7 +12,10 @@
 namespace ridgemap
 {
 /** Integer division that rounds towards minus infinity: the one way from a coordinate to an index. */
-inline std::int64_t floorDiv(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0) && ((a % b < 0) != (b < 0))); }
+inline std::int64_t floorDiv(std::int64_t a, std::int64_t b)
+{
+	return a / b - ((a % b != 0) && ((a % b < 0) != (b < 0)));
+}
 
 /** A position on the measurement lattice, in quanta of sigma * 2^-20. */
 struct LatticePoint
@@ -21,12 +24,12 @@ struct LatticePoint
 	std::int64_t v = 0;
 };
 
-/** The lattice frame: the map frame rotated and shifted by irrational amounts, so that walls parallel to the axes do not
- * run along tile borders, in units of sigma. Only +, -, *, / and sqrt are used from here on to the polylines, so that
- * the result depends on no mathematics library. */
+/** The lattice frame: the map frame rotated and shifted by irrational amounts, so that walls parallel to the axes do
+ * not run along tile borders, in units of sigma. Only +, -, *, / and sqrt are used from here on to the polylines, so
+ * that the result depends on no mathematics library. */
 class Frame
 {
-   public:
+ public:
 	static constexpr std::int64_t quantaPerSigma = std::int64_t(1) << 20;
 	static constexpr std::int64_t blockEdge = 4;  ///< edge of a block of cells [sigma]
 	static constexpr std::int64_t quantaPerBlock = blockEdge * quantaPerSigma;
@@ -57,7 +60,7 @@ class Frame
 				std::int64_t(std::floor(q.y * double(quantaPerSigma) + 0.5))};
 	}
 
-   private:
+ private:
 	// Cosine and sine of 0.6180339887 rad.
 	static constexpr double cosine = 0.8150192047167896, sine = 0.5794339444171457;
 	static constexpr double offsetX = 5.8309518948453007, offsetY = 11.224972160321824;

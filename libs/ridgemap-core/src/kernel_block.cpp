@@ -11,9 +11,15 @@ namespace
 constexpr std::int64_t momentShift = 16;  ///< offsets are divided by this before they are multiplied
 
 /** Rounds to the nearest multiple of 16 quanta, halves upwards. */
-std::int64_t coarse(std::int64_t offset) { return floorDiv(offset + momentShift / 2, momentShift); }
+std::int64_t coarse(std::int64_t offset)
+{
+	return floorDiv(offset + momentShift / 2, momentShift);
+}
 
-bool keyLess(const Cell& c, CellKey k) { return c.key < k; }
+bool keyLess(const Cell& c, CellKey k)
+{
+	return c.key < k;
+}
 
 /** One kernel: a normal density whose covariance is that of the smoothing kernel plus that of the cell's
  * measurements about their mean. It has the mass, mean and second moments of the sum of their kernels. */
@@ -35,7 +41,12 @@ Kernel makeKernel(const Cell& cell, const CellGrid& grid)
 	const double limit = std::sqrt(vx * vy);
 	vxy = std::max(-limit, std::min(limit, vxy));
 	const double det = (1 + vx) * (1 + vy) - vxy * vxy;
-	return {float(m.x), float(m.y), float((1 + vy) / det), float(-vxy / det), float((1 + vx) / det), float(n / std::sqrt(det))};
+	return {float(m.x),
+			float(m.y),
+			float((1 + vy) / det),
+			float(-vxy / det),
+			float((1 + vx) / det),
+			float(n / std::sqrt(det))};
 }
 }  // namespace
 
@@ -117,7 +128,8 @@ Vec2 centroidInBlock(const Cell& cell, const CellGrid& grid)
 {
 	const double n = cell.sums.n;
 	const double half = 0.5 * double(Frame::quantaPerBlock);
-	const double cx = double(grid.centre(cellColumn(cell.key))) - half, cy = double(grid.centre(cellRow(cell.key))) - half;
+	const double cx = double(grid.centre(cellColumn(cell.key))) - half,
+				 cy = double(grid.centre(cellRow(cell.key))) - half;
 	return {(cx + double(cell.sums.sx) / n) / double(Frame::quantaPerSigma),
 			(cy + double(cell.sums.sy) / n) / double(Frame::quantaPerSigma)};
 }

@@ -35,7 +35,7 @@ struct Cell
 /** How cells lie in the lattice: edge in quanta (a power of two; 1 keeps every measurement apart). */
 class CellGrid
 {
-   public:
+ public:
 	explicit CellGrid(double cellInSigma)
 		: edge_(cellInSigma > 0 ? std::int64_t(cellInSigma * double(Frame::quantaPerSigma)) : 1)
 	{
@@ -55,12 +55,12 @@ class CellGrid
 	/** Throws std::invalid_argument if no set of measurements in one cell can have these sums. */
 	void checkPossible(const CellSums& s) const;
 
-   private:
+ private:
 	std::int64_t edge_;
 };
 
-/** Eight kernels side by side, one SIMD lane each: place relative to the block centre [sigma], the inverse (a b; b c) of
- * the kernel's covariance, and its weight. Unused lanes have weight 0. */
+/** Eight kernels side by side, one SIMD lane each: place relative to the block centre [sigma], the inverse (a b; b c)
+ * of the kernel's covariance, and its weight. Unused lanes have weight 0. */
 struct KernelGroup
 {
 	float x[8], y[8], a[8], b[8], c[8], w[8];
@@ -73,7 +73,7 @@ struct Block
 	std::vector<Cell> cells;  ///< sorted by key
 	std::vector<KernelGroup> kernels;
 	float minX = 0, maxX = 0, minY = 0, maxY = 0;  ///< box of the kernels relative to the block centre [sigma]
-	double weight = 0;	///< sum of the counts
+	double weight = 0;                             ///< sum of the counts
 
 	CellSums& findOrAdd(CellKey key);
 	const Cell* find(CellKey key) const;
@@ -92,8 +92,17 @@ inline CellKey makeCellKey(std::uint32_t bin, std::int64_t lx, std::int64_t ly)
 {
 	return (CellKey(bin) << 44) | (CellKey(ly) << 22) | CellKey(lx);
 }
-inline std::int64_t cellColumn(CellKey k) { return std::int64_t(k & ((CellKey(1) << 22) - 1)); }
-inline std::int64_t cellRow(CellKey k) { return std::int64_t((k >> 22) & ((CellKey(1) << 22) - 1)); }
-inline std::uint32_t cellBin(CellKey k) { return std::uint32_t(k >> 44); }
+inline std::int64_t cellColumn(CellKey k)
+{
+	return std::int64_t(k & ((CellKey(1) << 22) - 1));
+}
+inline std::int64_t cellRow(CellKey k)
+{
+	return std::int64_t((k >> 22) & ((CellKey(1) << 22) - 1));
+}
+inline std::uint32_t cellBin(CellKey k)
+{
+	return std::uint32_t(k >> 44);
+}
 
 }  // namespace ridgemap

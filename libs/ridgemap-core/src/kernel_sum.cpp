@@ -14,6 +14,9 @@ KernelSums sumKernels(const BlockView* views, std::size_t count)
 	return avx2 ? sumKernelsAvx2(views, count) : sumKernelsImpl(views, count);
 }
 #else
-KernelSums sumKernels(const BlockView* views, std::size_t count) { return sumKernelsImpl(views, count); }
+KernelSums sumKernels(const BlockView* views, std::size_t count)
+{
+	return sumKernelsImpl(views, count);
+}
 #endif
 }  // namespace ridgemap

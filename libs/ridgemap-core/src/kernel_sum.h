@@ -11,7 +11,7 @@ namespace ridgemap
 struct BlockView
 {
 	const KernelGroup* groups = nullptr;
-	std::size_t count = 0;	///< number of groups of eight
+	std::size_t count = 0;  ///< number of groups of eight
 	float dx = 0, dy = 0;
 };
 

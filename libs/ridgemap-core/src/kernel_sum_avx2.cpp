@@ -4,5 +4,8 @@
 
 namespace ridgemap
 {
-KernelSums sumKernelsAvx2(const BlockView* views, std::size_t count) { return sumKernelsImpl(views, count); }
+KernelSums sumKernelsAvx2(const BlockView* views, std::size_t count)
+{
+	return sumKernelsImpl(views, count);
+}
 }  // namespace ridgemap

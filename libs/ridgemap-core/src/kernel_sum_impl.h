@@ -11,8 +11,11 @@ namespace ridgemap
 {
 namespace
 {
-typedef float Float8 __attribute__((vector_size(32), aligned(4)));
-typedef std::int32_t Int8 __attribute__((vector_size(32), aligned(4)));
+typedef float Float8 __attribute__((vector_size(32)));
+typedef float UnalignedFloat8 __attribute__((vector_size(32), aligned(4), may_alias));
+typedef std::int32_t Int8 __attribute__((vector_size(32)));
+typedef double Double4 __attribute__((vector_size(32)));
+typedef float Float4 __attribute__((vector_size(16)));
 
 /** exp(-t) for 0 <= t: 2^k * exp(r), |r| <= ln(2)/2, by a polynomial; relative error below 2e-7. */
 inline void expMinus(const Float8& t, Float8& result)
@@ -31,16 +34,19 @@ inline void expMinus(const Float8& t, Float8& result)
 	p = p * r + 5.0000001201e-1f;
 	p = p * (r * r) + r + 1.0f;
 	const Int8 exponent = __builtin_convertvector(k, Int8) << 23;
-	Int8 bits;
-	__builtin_memcpy(&bits, &p, sizeof bits);
-	bits += exponent;
-	__builtin_memcpy(&result, &bits, sizeof result);
+	result = (Float8)((Int8)p + exponent);  // the same bits, with the exponent raised by k
 }
 
 inline double laneSum(const Float8& v)
 {
-	return ((double(v[0]) + double(v[1])) + (double(v[2]) + double(v[3]))) +
-		   ((double(v[4]) + double(v[5])) + (double(v[6]) + double(v[7])));
+	const Float4 low = {v[0], v[1], v[2], v[3]}, high = {v[4], v[5], v[6], v[7]};
+	const Double4 d = __builtin_convertvector(low, Double4) + __builtin_convertvector(high, Double4);
+	return (d[0] + d[1]) + (d[2] + d[3]);
+}
+
+inline const UnalignedFloat8& load(const float* p)
+{
+	return *reinterpret_cast<const UnalignedFloat8*>(p);
 }
 
 inline KernelSums sumKernelsImpl(const BlockView* views, std::size_t count)
@@ -51,13 +57,8 @@ inline KernelSums sumKernelsImpl(const BlockView* views, std::size_t count)
 		const BlockView& v = views[i];
 		for (const KernelGroup* g = v.groups; g != v.groups + v.count; ++g)
 		{
-			Float8 kx, ky, a, b, c, w;
-			__builtin_memcpy(&kx, g->x, sizeof kx);
-			__builtin_memcpy(&ky, g->y, sizeof ky);
-			__builtin_memcpy(&a, g->a, sizeof a);
-			__builtin_memcpy(&b, g->b, sizeof b);
-			__builtin_memcpy(&c, g->c, sizeof c);
-			__builtin_memcpy(&w, g->w, sizeof w);
+			const Float8 kx = load(g->x), ky = load(g->y), a = load(g->a), b = load(g->b), c = load(g->c),
+						 w = load(g->w);
 			const Float8 dx = v.dx - kx, dy = v.dy - ky;
 			const Float8 ux = a * dx + b * dy, uy = b * dx + c * dy;  // S^-1 (x - mu)
 			Float8 e;

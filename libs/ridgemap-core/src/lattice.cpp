@@ -71,7 +71,8 @@ void Lattice::insertCells(const std::vector<CellRecord>& cells)
 		const CellSums sums{c.n, c.sx, c.sy, c.sxx, c.sxy, c.syy};
 		grid_.checkPossible(sums);
 		const BlockIndex block{floorDiv(c.cx, perBlock), floorDiv(c.cy, perBlock)};
-		list.push_back(makeDelta(block, makeCellKey(c.bin, c.cx - block.x * perBlock, c.cy - block.y * perBlock), sums));
+		list.push_back(
+			makeDelta(block, makeCellKey(c.bin, c.cx - block.x * perBlock, c.cy - block.y * perBlock), sums));
 	}
 	combine(list);
 	apply(std::move(list), +1);
@@ -79,8 +80,8 @@ void Lattice::insertCells(const std::vector<CellRecord>& cells)
 
 void Lattice::combine(std::vector<Delta>& list)
 {
-	std::sort(list.begin(), list.end(), [](const Delta& a, const Delta& b)
-			  { return a.block == b.block ? a.key < b.key : a.block < b.block; });
+	std::sort(list.begin(), list.end(),
+			  [](const Delta& a, const Delta& b) { return a.block == b.block ? a.key < b.key : a.block < b.block; });
 	std::size_t kept = 0;
 	for (std::size_t i = 0; i < list.size(); i++)
 	{
@@ -88,7 +89,7 @@ void Lattice::combine(std::vector<Delta>& list)
 		{
 			Delta& sum = list[kept - 1];
 			sum.n += list[i].n;
-			if (sum.n > maxCountPerCell) continue;	// rejected later; do not let the sums overflow
+			if (sum.n > maxCountPerCell) continue;  // rejected later; do not let the sums overflow
 			sum.sx += list[i].sx;
 			sum.sy += list[i].sy;
 			sum.sxx += list[i].sxx;
@@ -214,8 +215,8 @@ std::vector<CellRecord> Lattice::cells() const
 			{
 				const CellSums& s = c.sums;
 				if (s.n == 0) continue;
-				result.push_back({b.x * perBlock + cellColumn(c.key), b.y * perBlock + cellRow(c.key), cellBin(c.key), s.n, s.sx,
-								  s.sy, s.sxx, s.sxy, s.syy});
+				result.push_back({b.x * perBlock + cellColumn(c.key), b.y * perBlock + cellRow(c.key), cellBin(c.key),
+								  s.n, s.sx, s.sy, s.sxx, s.sxy, s.syy});
 			}
 		});
 	return result;

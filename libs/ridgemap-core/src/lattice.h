@@ -29,7 +29,7 @@ struct BlockIndexHash
  * a whole before anything is changed. */
 class Lattice
 {
-   public:
+ public:
 	explicit Lattice(const Options& options);
 
 	const Frame& frame() const { return frame_; }
@@ -54,7 +54,7 @@ class Lattice
 	/** Rebuilds the kernels of the blocks changed since the last call and returns their indices in canonical order. */
 	std::vector<BlockIndex> refresh();
 
-   private:
+ private:
 	/** What to add to or take from one cell. */
 	struct Delta
 	{

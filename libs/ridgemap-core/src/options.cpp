@@ -27,18 +27,21 @@ void checkRange(const char* name, double value, double lowest, double highest, c
 
 auto tie(const Options& o)
 {
-	return std::tie(
-		o.sigma, o.eps, o.lTol, o.dTol, o.cell, o.cutoff, o.tileEdge, o.maxStep, o.minCurvature, o.minEigenGap,
-		o.stepRule, o.seedRule, o.prune, o.pruneLength, o.attach, o.attachDistance);
+	return std::tie(o.sigma, o.eps, o.lTol, o.dTol, o.cell, o.cutoff, o.tileEdge, o.maxStep, o.maxSensitivity,
+					o.minCurvature, o.stepRule, o.seedRule, o.prune, o.pruneLength, o.attach, o.attachDistance);
 }
 }  // namespace
 
-bool Options::operator==(const Options& o) const { return tie(*this) == tie(o); }
+bool Options::operator==(const Options& o) const
+{
+	return tie(*this) == tie(o);
+}
 
 void Options::validate() const
 {
 	checkRange("sigma", sigma, 1e-3, 1e3, " m");
-	if (eps != 0 && !(eps >= sigma * 1e-4 && eps <= sigma * 0.5)) reject("eps", eps, "0 (sigma/50) or from sigma/10000 to sigma/2 [m]");
+	if (eps != 0 && !(eps >= sigma * 1e-4 && eps <= sigma * 0.5))
+		reject("eps", eps, "0 (sigma/50) or from sigma/10000 to sigma/2 [m]");
 	checkRange("lTol", lTol, 0.1, 1e9, " kernel peaks");
 	checkRange("dTol", dTol, 0.5, 4, " sigma");
 	if (cell != 0 && cell != 1 && cell != 0.5 && cell != 0.25 && cell != 0.125)
@@ -47,11 +50,12 @@ void Options::validate() const
 	checkRange("tileEdge", tileEdge, 12, 64, " sigma");
 	if (std::fmod(tileEdge, 4) != 0) reject("tileEdge", tileEdge, "a multiple of 4 sigma");
 	checkRange("maxStep", maxStep, 0.1, 4, " sigma");
-	checkRange("minCurvature", minCurvature, 0, 1, "");
-	checkRange("minEigenGap", minEigenGap, 0, 1, "");
-	if (stepRule != StepRule::error && stepRule != StepRule::paper) reject("stepRule", double(stepRule), "0 (error) or 1 (paper)");
+	checkRange("maxSensitivity", maxSensitivity, 1, 1e6, "");
+	if (stepRule != StepRule::error && stepRule != StepRule::paper)
+		reject("stepRule", double(stepRule), "0 (error) or 1 (paper)");
 	if (seedRule != SeedRule::projection && seedRule != SeedRule::maximum)
 		reject("seedRule", double(seedRule), "0 (projection) or 1 (maximum)");
+	checkRange("minCurvature", minCurvature, 0, 1, " per sigma^2");
 	checkRange("pruneLength", pruneLength, 0, 100, " sigma");
 	checkRange("attachDistance", attachDistance, 0, 5, " sigma");
 }

@@ -16,8 +16,15 @@ struct RidgeMap::Impl
 {
 	explicit Impl(const Options& o) : options((o.validate(), o)), lattice(o) {}
 	Impl(const Impl& o)
-		: options(o.options), threads(o.threads), version(o.version), lattice(o.lattice), chains(o.chains), ridges(o.ridges),
-		  walls(o.walls), ridgesMade(o.ridgesMade), wallsMade(o.wallsMade)
+		: options(o.options),
+		  threads(o.threads),
+		  version(o.version),
+		  lattice(o.lattice),
+		  chains(o.chains),
+		  ridges(o.ridges),
+		  walls(o.walls),
+		  ridgesMade(o.ridgesMade),
+		  wallsMade(o.wallsMade)
 	{
 	}
 
@@ -81,7 +88,10 @@ RidgeMap& RidgeMap::operator=(const RidgeMap& o)
 RidgeMap::RidgeMap(RidgeMap&&) noexcept = default;
 RidgeMap& RidgeMap::operator=(RidgeMap&&) noexcept = default;
 
-const Options& RidgeMap::options() const { return impl_->options; }
+const Options& RidgeMap::options() const
+{
+	return impl_->options;
+}
 
 void RidgeMap::insert(const std::vector<Measurement>& measurements)
 {
@@ -116,7 +126,10 @@ void RidgeMap::clear()
 	impl_->changed();
 }
 
-bool RidgeMap::empty() const { return impl_->lattice.measurements() == 0; }
+bool RidgeMap::empty() const
+{
+	return impl_->lattice.measurements() == 0;
+}
 
 UpdateResult RidgeMap::update(unsigned threads)
 {
@@ -124,7 +137,10 @@ UpdateResult RidgeMap::update(unsigned threads)
 	return impl_->update(threads);
 }
 
-void RidgeMap::setThreads(unsigned threads) { impl_->threads = threads > 0 ? threads : 1; }
+void RidgeMap::setThreads(unsigned threads)
+{
+	impl_->threads = threads > 0 ? threads : 1;
+}
 
 const std::vector<Polyline>& RidgeMap::ridges() const
 {
@@ -159,7 +175,10 @@ const std::vector<Polyline>& RidgeMap::walls() const
 	return m.walls;
 }
 
-std::uint64_t RidgeMap::version() const { return impl_->version; }
+std::uint64_t RidgeMap::version() const
+{
+	return impl_->version;
+}
 
 OccupancySample RidgeMap::occupancy(const Point2& p) const
 {
@@ -177,7 +196,8 @@ OccupancySample RidgeMap::occupancy(const Point2& p) const
 
 	// Rotate to the map frame: derivatives along the map's axes, which in the lattice frame are x' and y'.
 	const Vec2 a = Frame::rotateToLattice({1, 0}), b = Frame::rotateToLattice({0, 1});
-	const auto second = [&](Vec2 u, Vec2 v) { return s.hxx * u.x * v.x + s.hxy * (u.x * v.y + u.y * v.x) + s.hyy * u.y * v.y; };
+	const auto second = [&](Vec2 u, Vec2 v)
+	{ return s.hxx * u.x * v.x + s.hxy * (u.x * v.y + u.y * v.x) + s.hyy * u.y * v.y; };
 	const auto third = [&](Vec2 u, Vec2 v, Vec2 w)
 	{
 		return u.x * (s.txxx * v.x * w.x + s.txxy * (v.x * w.y + v.y * w.x) + s.txyy * v.y * w.y) +
@@ -197,7 +217,10 @@ OccupancySample RidgeMap::occupancy(const Point2& p) const
 	return o;
 }
 
-Box2 RidgeMap::boundingBox() const { return impl_->lattice.boundingBox(); }
+Box2 RidgeMap::boundingBox() const
+{
+	return impl_->lattice.boundingBox();
+}
 
 MapStatistics RidgeMap::statistics() const
 {
@@ -219,7 +242,7 @@ MapStatistics RidgeMap::statistics() const
 			s.bytes += e->path.capacity() * sizeof(Vec2) + e->crossings.capacity() * sizeof(Crossing);
 		for (const Piece& p : tile.pieces)
 		{
-			s.bytes += sizeof(Piece) + p.nodes.capacity() * sizeof(Vec2);
+			s.bytes += sizeof(Piece) + p.nodes.capacity() * sizeof(RidgeNode);
 			s.stops[std::size_t(p.start.reason)]++;
 			s.stops[std::size_t(p.end.reason)]++;
 		}
@@ -228,8 +251,14 @@ MapStatistics RidgeMap::statistics() const
 	return s;
 }
 
-std::vector<CellRecord> RidgeMap::cells() const { return impl_->lattice.cells(); }
-std::vector<Point2> RidgeMap::cellCentroids() const { return impl_->lattice.centroids(); }
+std::vector<CellRecord> RidgeMap::cells() const
+{
+	return impl_->lattice.cells();
+}
+std::vector<Point2> RidgeMap::cellCentroids() const
+{
+	return impl_->lattice.centroids();
+}
 
 void RidgeMap::insertCells(const std::vector<CellRecord>& cells)
 {

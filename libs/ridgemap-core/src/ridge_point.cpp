@@ -42,10 +42,15 @@ RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s)
 	return r;
 }
 
+double sensitivity(const RidgePoint& r)
+{
+	const double turn = std::abs(dot(r.gradient, r.v2)) / (r.lambda2 - r.lambda1);
+	return r.occupancy * (1 + turn) / norm(r.df);
+}
+
 bool isRidgeLike(const RidgePoint& r, const Options& o)
 {
-	return r.lambda1 < 0 && -r.lambda1 >= o.minCurvature * r.occupancy &&
-		   r.lambda2 - r.lambda1 >= o.minEigenGap * -r.lambda1 && r.occupancy > 0;
+	return r.lambda1 < 0 && r.occupancy > 0 && sensitivity(r) <= o.maxSensitivity;
 }
 
 }  // namespace ridgemap

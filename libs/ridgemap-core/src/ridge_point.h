@@ -15,9 +15,9 @@ struct RidgePoint
 	double occupancy = 0;  ///< L
 	Vec2 gradient;
 	double lambda1 = 0, lambda2 = 0;  ///< eigenvalues of the Hessian, lambda1 <= lambda2
-	Vec2 v1, v2;  ///< their unit eigenvectors, sign arbitrary
+	Vec2 v1, v2;                      ///< their unit eigenvectors, sign arbitrary
 	double f = 0;  ///< <grad L, v1>: zero on a ridge; its absolute value is the ridge function R, equation (8)
-	Vec2 df;  ///< exact gradient of f for a v1 that is carried along continuously
+	Vec2 df;       ///< exact gradient of f for a v1 that is carried along continuously
 
 	/** Signed distance along `direction` to where f vanishes, to first order. */
 	double newtonStep(Vec2 direction) const { return -f / dot(df, direction); }
@@ -34,7 +34,11 @@ struct RidgePoint
  * grad f = lambda1 v1 + <g, v2>/(lambda1 - lambda2) T(v1, v2, .). */
 RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s);
 
-/** The ridge is attractive and distinct here: lambda1 < 0, curved and separated enough. Says nothing of f. */
+/** How far the ridge moves [sigma] per relative error of L and its derivatives: grad f is what resists, and an error of
+ * the Hessian turns v1 by its share of the eigen-gap. About 1.5 on a plain wall, without limit at an umbilic point. */
+double sensitivity(const RidgePoint& r);
+
+/** The ridge is attractive and its place is determined here: lambda1 < 0, bounded sensitivity. Says nothing of f. */
 bool isRidgeLike(const RidgePoint& r, const Options& options);
 
 }  // namespace ridgemap

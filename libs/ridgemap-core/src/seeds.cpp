@@ -7,11 +7,14 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double reach = 3;	 ///< farthest that a measurement is brought to a ridge [sigma]
-constexpr double tolerance = 1e-4;	///< [sigma]
+constexpr double reach = 3;         ///< farthest that a measurement is brought to a ridge [sigma]
+constexpr double tolerance = 1e-4;  ///< [sigma]
 constexpr int maxIterations = 40;
 
-bool accepted(const RidgePoint& r, const Options& o) { return r.occupancy >= o.lTol && isRidgeLike(r, o); }
+bool accepted(const RidgePoint& r, const Options& o)
+{
+	return r.occupancy >= o.lTol && isRidgeLike(r, o);
+}
 
 /** Mean shift along v1 while the density is not yet attractive, Newton's method on f where it is. */
 std::optional<RidgePoint> project(const TileField& field, const Options& options, Vec2 start)
@@ -26,7 +29,8 @@ std::optional<RidgePoint> project(const TileField& field, const Options& options
 		{
 			const double slope = dot(r.df, r.v1);
 			step = -r.f / (slope < 0.2 * r.lambda1 ? slope : r.lambda1);
-			if (std::abs(r.f) < tolerance * std::min(norm(r.df), -r.lambda1)) return accepted(r, options) ? std::optional(r) : std::nullopt;
+			if (std::abs(r.f) < tolerance * std::min(norm(r.df), -r.lambda1))
+				return accepted(r, options) ? std::optional(r) : std::nullopt;
 		}
 		else if (std::abs(step) < tolerance)
 			return std::nullopt;

@@ -39,7 +39,7 @@ struct TileKeyHash
 /** Where a ridge passes from one tile to the next. In the frame of the tile that owns the edge. */
 struct Crossing
 {
-	Vec2 p;	 ///< on the ridge and on the border [sigma]
+	Vec2 p;        ///< on the ridge and on the border [sigma]
 	Vec2 tangent;  ///< unit tangent of the ridge, either sense
 	double s = 0;  ///< arc length along the border from the start of the edge [sigma]
 
@@ -50,7 +50,7 @@ struct Crossing
  * ridges, so that every crossing is transversal. */
 struct Edge
 {
-	std::vector<Vec2> path;	 ///< vertices, frame of the owning tile [sigma]
+	std::vector<Vec2> path;           ///< vertices, frame of the owning tile [sigma]
 	std::vector<Crossing> crossings;  ///< in the order of s
 
 	bool operator==(const Edge& o) const { return path == o.path && crossings == o.crossings; }
@@ -69,16 +69,25 @@ enum Side : int
 struct PieceEnd
 {
 	StopReason reason = StopReason::belowThreshold;
-	int side = -1;	///< side of the tile on which the piece ends at a crossing, -1: a free end
-	int crossing = -1;	///< number of the crossing on that side
+	int side = -1;      ///< side of the tile on which the piece ends at a crossing, -1: a free end
+	int crossing = -1;  ///< number of the crossing on that side
 
 	bool operator==(const PieceEnd& o) const { return reason == o.reason && side == o.side && crossing == o.crossing; }
+};
+
+/** A node of a ridge and what the density says there. */
+struct RidgeNode
+{
+	Vec2 p;  ///< frame of the tile [sigma]
+	VertexInfo info;
+
+	bool operator==(const RidgeNode& o) const { return p == o.p && info == o.info; }
 };
 
 /** The part of a polyline that lies in one tile. */
 struct Piece
 {
-	std::vector<Vec2> nodes;  ///< frame of the tile [sigma]
+	std::vector<RidgeNode> nodes;
 	PieceEnd start, end;
 	bool closed = false;
 
@@ -92,10 +101,10 @@ struct Piece
  * the pieces of polyline. Everything but the cells is a pure function of the cells in and around the tile. */
 struct Tile
 {
-	std::vector<Block> blocks;	///< row by row
-	Vec2 corner;  ///< lower-left corner, frame of the tile; (0,0) unless a ridge passes there [sigma]
-	Edge bottom;  ///< from this tile's corner to that of the tile on the right
-	Edge left;	///< from this tile's corner to that of the tile above
+	std::vector<Block> blocks;  ///< row by row
+	Vec2 corner;                ///< lower-left corner, frame of the tile; (0,0) unless a ridge passes there [sigma]
+	Edge bottom;                ///< from this tile's corner to that of the tile on the right
+	Edge left;                  ///< from this tile's corner to that of the tile above
 	std::vector<Piece> pieces;
 	std::vector<std::uint64_t> chainOfPiece;  ///< polyline that each piece belongs to, 0: none yet
 	std::uint64_t cellCount = 0;
@@ -104,7 +113,7 @@ struct Tile
 /** All tiles of a map by their key. Tiles that hold nothing need not exist. */
 class TileStore
 {
-   public:
+ public:
 	explicit TileStore(int blocksPerEdge) : blocksPerEdge_(blocksPerEdge) {}
 	TileStore(const TileStore& o);
 	TileStore& operator=(const TileStore& o);
@@ -133,9 +142,12 @@ class TileStore
 		return {std::int32_t(floorDiv(bx, blocksPerEdge_)), std::int32_t(floorDiv(by, blocksPerEdge_))};
 	}
 	/** A point of the plane, relative to the lower-left corner of a tile, as lattice coordinates. */
-	Vec2 toLattice(TileKey key, Vec2 p) const { return {double(key.x) * tileEdge() + p.x, double(key.y) * tileEdge() + p.y}; }
+	Vec2 toLattice(TileKey key, Vec2 p) const
+	{
+		return {double(key.x) * tileEdge() + p.x, double(key.y) * tileEdge() + p.y};
+	}
 
-   private:
+ private:
 	int blocksPerEdge_;
 	std::unordered_map<TileKey, std::unique_ptr<Tile>, TileKeyHash> tiles_;
 };

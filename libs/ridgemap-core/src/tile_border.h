@@ -12,10 +12,10 @@ namespace ridgemap
 /** The closed border of one tile in its own frame, with the crossings on it and which of them a piece has reached. */
 class TileBorder
 {
-   public:
+ public:
 	struct Port
 	{
-		Crossing crossing;	///< frame of this tile
+		Crossing crossing;  ///< frame of this tile
 		int side = 0, index = 0;
 		Vec2 inward;  ///< unit tangent of the ridge, into the tile
 		bool consumed = false;
@@ -40,13 +40,13 @@ class TileBorder
 	/** The free crossing nearest to an exit, within `tolerance` of it and along `direction`, or nullptr. */
 	Port* match(const Exit& exit, Vec2 direction, double tolerance);
 
-   private:
+ private:
 	struct Wall
 	{
 		Vec2 a, b;
 		int side;
-		double s0;	///< arc length of the side at a
-		bool reversed;	///< the side's arc length falls from a to b
+		double s0;      ///< arc length of the side at a
+		bool reversed;  ///< the side's arc length falls from a to b
 	};
 	void addSide(const Edge* edge, int side, Vec2 shift, bool reversed, Vec2 defaultFrom, Vec2 defaultTo);
 

@@ -12,19 +12,19 @@ namespace ridgemap
 namespace
 {
 constexpr double coverDistance = 0.8;  ///< measurements within this of a piece start no ridge [sigma]
-constexpr double seedMargin = 1.5;	///< measurements up to this far outside a tile may start ridges in it [sigma]
-constexpr double leastLength = 0.02;  ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
+constexpr double seedMargin = 1.5;     ///< measurements up to this far outside a tile may start ridges in it [sigma]
+constexpr double leastLength = 0.02;   ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
 
-double lengthOf(const std::vector<Vec2>& nodes)
+double lengthOf(const std::vector<RidgeNode>& nodes)
 {
 	double sum = 0;
-	for (std::size_t i = 1; i < nodes.size(); i++) sum += norm(nodes[i] - nodes[i - 1]);
+	for (std::size_t i = 1; i < nodes.size(); i++) sum += norm(nodes[i].p - nodes[i - 1].p);
 	return sum;
 }
 
 class TileTracer
 {
-   public:
+ public:
 	TileTracer(const TileField& field, TileBorder& border, const Options& options)
 		: field_(field), border_(border), options_(options), tracer_(field, border, options, result_.pieces)
 	{
@@ -37,7 +37,7 @@ class TileTracer
 		return std::move(result_);
 	}
 
-   private:
+ private:
 	void fromCrossing(TileBorder::Port& port)
 	{
 		if (port.consumed) return;
@@ -58,13 +58,13 @@ class TileTracer
 		const double edge = field_.tileEdge(), half = 0.5 * edge;
 		// Collected first: tracing must not depend on how far the loop over kernels has come.
 		std::vector<Vec2> starts;
-		field_.forEachKernelNear({half, half}, half + seedMargin,
-								 [&](Vec2 q, double)
-								 {
-									 if (q.x >= -seedMargin && q.y >= -seedMargin && q.x <= edge + seedMargin &&
-										 q.y <= edge + seedMargin)
-										 starts.push_back(q);
-								 });
+		field_.forEachKernelNear(
+			{half, half}, half + seedMargin,
+			[&](Vec2 q, double)
+			{
+				if (q.x >= -seedMargin && q.y >= -seedMargin && q.x <= edge + seedMargin && q.y <= edge + seedMargin)
+					starts.push_back(q);
+			});
 		for (const Vec2& q : starts)
 			if (!covered(q, coverDistance)) fromMeasurement(q);
 	}
@@ -113,7 +113,7 @@ class TileTracer
 	{
 		for (const Piece& piece : result_.pieces)
 			for (std::size_t i = 1; i < piece.nodes.size(); i++)
-				if (footOnSegment(piece.nodes[i - 1], piece.nodes[i], p).distance < distance) return true;
+				if (footOnSegment(piece.nodes[i - 1].p, piece.nodes[i].p, p).distance < distance) return true;
 		return false;
 	}
 

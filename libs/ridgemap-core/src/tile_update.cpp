@@ -13,7 +13,8 @@ namespace ridgemap
 namespace
 {
 /** Tiles whose field can reach one of the blocks, in canonical order. */
-std::vector<TileKey> dependentTiles(const std::vector<BlockIndex>& blocks, const TileStore& tiles, const Options& options)
+std::vector<TileKey> dependentTiles(const std::vector<BlockIndex>& blocks, const TileStore& tiles,
+									const Options& options)
 {
 	const int halo = TileField::haloBlocks(options.cutoff);
 	std::set<TileKey> keys;
@@ -60,8 +61,8 @@ std::vector<UpdateRegion> findRegions(const std::vector<TileKey>& keys, const La
 
 bool isDefault(const Tile& t)
 {
-	return t.cellCount == 0 && t.pieces.empty() && t.corner == Vec2{} && t.bottom.path.size() <= 2 && t.left.path.size() <= 2 &&
-		   t.bottom.crossings.empty() && t.left.crossings.empty();
+	return t.cellCount == 0 && t.pieces.empty() && t.corner == Vec2{} && t.bottom.path.size() <= 2 &&
+		   t.left.path.size() <= 2 && t.bottom.crossings.empty() && t.left.crossings.empty();
 }
 }  // namespace
 
@@ -74,8 +75,13 @@ std::vector<ReplacedTile> updateTiles(Lattice& lattice, const Options& options, 
 	fields.reserve(keys.size());
 	for (const TileKey& k : keys) fields.emplace_back(tiles, k, options);
 
-	const auto cornerOf = [&](TileKey k) { const Tile* t = tiles.find(k); return t ? t->corner : Vec2{}; };
-	parallelFor(keys.size(), threads, [&](std::size_t i) { tiles.find(keys[i])->corner = placeCorner(fields[i], options); });
+	const auto cornerOf = [&](TileKey k)
+	{
+		const Tile* t = tiles.find(k);
+		return t ? t->corner : Vec2{};
+	};
+	parallelFor(keys.size(), threads,
+				[&](std::size_t i) { tiles.find(keys[i])->corner = placeCorner(fields[i], options); });
 	parallelFor(keys.size(), threads,
 				[&](std::size_t i)
 				{

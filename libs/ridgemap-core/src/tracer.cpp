@@ -10,14 +10,22 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double endResolution = 0.02;	///< how closely the end of a ridge is approached; least step [sigma]
-constexpr double shortSegment = 0.5;  ///< shorter segments mark a strong bend: check them more densely [sigma]
-constexpr double acceptedShare = 0.7;  ///< share of eps that the estimated error of a segment may use
+constexpr double endResolution = 0.02;  ///< how closely the end of a ridge is approached; least step [sigma]
+constexpr double shortSegment = 0.5;    ///< shorter segments mark a strong bend: check them more densely [sigma]
+constexpr double acceptedShare = 0.7;   ///< share of eps that the estimated error of a segment may use
 constexpr int maxNodes = 4000;
 constexpr int maxRelaxations = 12;
 
 /** Deviation of the cubic Hermite curve from its chord of length h, for end slopes m0 and m1. */
-double hermite(double h, double m0, double m1, double t) { return h * (m0 * t * (1 - t) * (1 - t) - m1 * t * t * (1 - t)); }
+double hermite(double h, double m0, double m1, double t)
+{
+	return h * (m0 * t * (1 - t) * (1 - t) - m1 * t * t * (1 - t));
+}
+
+RidgeNode node(const RidgePoint& r)
+{
+	return {r.p, {float(r.occupancy), float(-r.lambda1 / r.occupancy)}};
+}
 
 /** Upper bound of exp(-x) by the series of exp(x). */
 double expMinusBound(double x)
@@ -36,14 +44,15 @@ double expMinusBound(double x)
 struct RidgeTracer::State
 {
 	RidgePoint point;
-	Vec2 tangent;  ///< unit, in the direction of the walk
+	Vec2 tangent;          ///< unit, in the direction of the walk
 	double curvature = 0;  ///< of the last segment, positive to the left [1/sigma]
-	double walked = 0;	///< arc length so far [sigma]
+	double walked = 0;     ///< arc length so far [sigma]
 	RidgePoint start;
 	Vec2 startTangent;
 };
 
-RidgeTracer::RidgeTracer(const TileField& field, TileBorder& border, const Options& options, const std::vector<Piece>& pieces)
+RidgeTracer::RidgeTracer(const TileField& field, TileBorder& border, const Options& options,
+						 const std::vector<Piece>& pieces)
 	: field_(field), border_(border), options_(options), pieces_(pieces), eps_(options.effectiveEps() / options.sigma)
 {
 	tolerance_ = std::max(1e-5, std::min(1e-3, 0.05 * eps_));
@@ -52,12 +61,12 @@ RidgeTracer::RidgeTracer(const TileField& field, TileBorder& border, const Optio
 RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) const
 {
 	Walk walk;
-	walk.nodes = {start.p};
+	walk.nodes = {node(start)};
 	State state;
 	state.point = state.start = start;
 	state.tangent = state.startTangent = start.tangent(direction);
 	double h = std::min(options_.maxStep, 1.0);
-	double ahead = std::numeric_limits<double>::infinity();	 // where the ridge is known to end
+	double ahead = std::numeric_limits<double>::infinity();  // where the ridge is known to end
 	StopReason reason = StopReason::workLimit;
 	while (walk.nodes.size() < maxNodes)
 	{
@@ -92,13 +101,14 @@ RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) con
 		}
 		if (closesLoop(state, next))
 		{
-			walk.nodes.push_back(state.start.p);
+			walk.nodes.push_back(node(state.start));
 			walk.closed = true;
 			reason = StopReason::closedLoop;
 			break;
 		}
-		if (options_.stepRule == StepRule::paper && step.next.distance > 0.75) insertMiddleNode(state.point, next, walk.nodes);
-		walk.nodes.push_back(next.p);
+		if (options_.stepRule == StepRule::paper && step.next.distance > 0.75)
+			insertMiddleNode(state.point, next, walk.nodes);
+		walk.nodes.push_back(node(next));
 		if (step.port)
 		{
 			walk.end.side = step.port->side;
@@ -129,7 +139,7 @@ RidgeTracer::Proposal RidgeTracer::propose(const State& state, double h) const
 	Proposal proposal;
 	Vec2 x;
 	if (options_.stepRule == StepRule::paper)
-		x = state.point.p + (dot(state.point.v2, state.tangent) < 0 ? -h : h) * state.point.v2;	 // section V-B1
+		x = state.point.p + (dot(state.point.v2, state.tangent) < 0 ? -h : h) * state.point.v2;  // section V-B1
 	else
 	{
 		const double bend = std::max(-0.5, std::min(0.5, 0.5 * h * state.curvature));
@@ -191,7 +201,8 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 			result.point = r;
 			result.distance = std::abs(moved);
 			result.reason = r.occupancy < options_.lTol ? StopReason::belowThreshold : StopReason::notARidge;
-			result.converged = r.occupancy >= options_.lTol && isRidgeLike(r, options_) && std::abs(dot(r.v1, v1)) > 0.5;
+			result.converged =
+				r.occupancy >= options_.lTol && isRidgeLike(r, options_) && std::abs(dot(r.v1, v1)) > 0.5;
 			return result;
 		}
 		moved += step;
@@ -201,7 +212,8 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 }
 
 /** Estimates the distance between the segment a-b and the ridge: from the end tangents (cubic Hermite), then from f at
- * the middle, and at the quarters where the two disagree or the ridge bends strongly. An infinite error means that the ridge does not follow. */
+ * the middle, and at the quarters where the two disagree or the ridge bends strongly. An infinite error means that the
+ * ridge does not follow. */
 RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, const RidgePoint& b, Vec2 tangentB) const
 {
 	const Vec2 chord = b.p - a.p;
@@ -232,10 +244,10 @@ RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, con
 	return {error <= limit, error};
 }
 
-bool RidgeTracer::insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<Vec2>& nodes) const
+bool RidgeTracer::insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<RidgeNode>& nodes) const
 {
 	const Relaxed middle = relax(0.5 * (a.p + b.p), leftNormal(unit(b.p - a.p)), a.v1, 1);
-	if (middle.converged && border_.contains(middle.point.p)) nodes.push_back(middle.point.p);
+	if (middle.converged && border_.contains(middle.point.p)) nodes.push_back(node(middle.point));
 	return middle.converged;
 }
 
@@ -261,8 +273,9 @@ bool RidgeTracer::onPolyline(Vec2 p, Vec2 direction) const
 	for (const Piece& piece : pieces_)
 		for (std::size_t i = 1; i < piece.nodes.size(); i++)
 		{
-			const Vec2 a = piece.nodes[i - 1], b = piece.nodes[i];
-			if (footOnSegment(a, b, p).distance < 1.5 * eps_ && std::abs(dot(unit(b - a), direction)) > 0.8) return true;
+			const Vec2 a = piece.nodes[i - 1].p, b = piece.nodes[i].p;
+			if (footOnSegment(a, b, p).distance < 1.5 * eps_ && std::abs(dot(unit(b - a), direction)) > 0.8)
+				return true;
 		}
 	return false;
 }
@@ -273,12 +286,13 @@ bool RidgeTracer::measurementNear(const RidgePoint& r, Vec2 tangent) const
 	if (field_.totalWeight() * expMinusBound(0.5 * options_.dTol * options_.dTol) < options_.lTol) return true;
 	const double reach = options_.dTol + CellGrid(options_.cell).halfExtent();
 	bool near = false;
-	field_.forEachKernelNear(r.p, options_.dTol + supportWidth,
-							 [&](Vec2 q, double)
-							 {
-								 const Vec2 d = q - r.p;
-								 near = near || (std::abs(dot(d, tangent)) <= reach && std::abs(cross(tangent, d)) <= supportWidth);
-							 });
+	field_.forEachKernelNear(
+		r.p, options_.dTol + supportWidth,
+		[&](Vec2 q, double)
+		{
+			const Vec2 d = q - r.p;
+			near = near || (std::abs(dot(d, tangent)) <= reach && std::abs(cross(tangent, d)) <= supportWidth);
+		});
 	return near;
 }
 
@@ -290,19 +304,19 @@ void RidgeTracer::trimToMeasurements(Walk& walk) const
 	double length = 0;
 	while (first > 0 && length < window)
 	{
-		length += norm(walk.nodes[first] - walk.nodes[first - 1]);
+		length += norm(walk.nodes[first].p - walk.nodes[first - 1].p);
 		first--;
 	}
 	double back = length;
 	const double extent = CellGrid(options_.cell).halfExtent();
-	field_.forEachKernelNear(walk.nodes.back(), window + supportWidth,
+	field_.forEachKernelNear(walk.nodes.back().p, window + supportWidth,
 							 [&](Vec2 q, double)
 							 {
 								 double behind = 0, bestBehind = length, best = supportWidth;
 								 for (std::size_t i = walk.nodes.size() - 1; i > first; i--)
 								 {
-									 const SegmentFoot foot = footOnSegment(walk.nodes[i], walk.nodes[i - 1], q);
-									 const double segment = norm(walk.nodes[i] - walk.nodes[i - 1]);
+									 const SegmentFoot foot = footOnSegment(walk.nodes[i].p, walk.nodes[i - 1].p, q);
+									 const double segment = norm(walk.nodes[i].p - walk.nodes[i - 1].p);
 									 if (foot.distance < best)
 									 {
 										 best = foot.distance;
@@ -314,22 +328,22 @@ void RidgeTracer::trimToMeasurements(Walk& walk) const
 							 });
 	if (back <= 0) return;
 	if (walk.end.reason == StopReason::unregisteredExit) walk.end.reason = StopReason::noMeasurement;
-	Vec2 cut = walk.nodes.back(), normal;
-	while (walk.nodes.size() > 1 && back > 0)
+	while (walk.nodes.size() > 1)
 	{
-		const Vec2 b = walk.nodes.back(), a = walk.nodes[walk.nodes.size() - 2];
-		const double segment = norm(b - a);
+		const RidgeNode b = walk.nodes.back();
 		walk.nodes.pop_back();
+		const Vec2 a = walk.nodes.back().p;
+		const double segment = norm(b.p - a);
 		if (segment <= back)
 		{
 			back -= segment;
 			continue;
 		}
-		normal = leftNormal((1 / segment) * (b - a));
-		cut = b + (back / segment) * (a - b);
+		const Vec2 cut = b.p + (back / segment) * (a - b.p), normal = leftNormal((1 / segment) * (b.p - a));
 		const Relaxed end = relax(cut, normal, normal, eps_);
-		walk.nodes.push_back(end.converged && border_.contains(end.point.p) ? end.point.p : cut);
-		break;
+		const bool usable = end.converged && border_.contains(end.point.p);
+		walk.nodes.push_back(usable ? node(end.point) : RidgeNode{cut, b.info});
+		return;
 	}
 }
 

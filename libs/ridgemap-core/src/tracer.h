@@ -26,13 +26,13 @@ TileTrace traceTile(const TileField& field, TileBorder& border, const Options& o
 /** Walks along one ridge. */
 class RidgeTracer
 {
-   public:
+ public:
 	RidgeTracer(const TileField& field, TileBorder& border, const Options& options, const std::vector<Piece>& pieces);
 
 	/** Result of following a ridge to one end. */
 	struct Walk
 	{
-		std::vector<Vec2> nodes;  ///< begins with the start
+		std::vector<RidgeNode> nodes;  ///< begins with the start
 		PieceEnd end;
 		bool closed = false;
 	};
@@ -49,7 +49,7 @@ class RidgeTracer
 		RidgePoint point;
 		double distance = 0;  ///< d_relaxation, the distance corrected
 		bool converged = false;
-		StopReason reason = StopReason::noConvergence;	///< why not, if it did not
+		StopReason reason = StopReason::noConvergence;  ///< why not, if it did not
 	};
 	Relaxed relax(Vec2 x, Vec2 normal, Vec2 v1, double reach) const;
 
@@ -57,12 +57,12 @@ class RidgeTracer
 	/** p lies within eps of a polyline of about this direction. */
 	bool onPolyline(Vec2 p, Vec2 direction) const;
 
-   private:
+ private:
 	struct Proposal
 	{
 		Relaxed next;
 		TileBorder::Port* port = nullptr;  ///< the crossing that the step ends at
-		bool exits = false;	 ///< the step leaves the tile where there is no crossing
+		bool exits = false;                ///< the step leaves the tile where there is no crossing
 	};
 	struct Verdict
 	{
@@ -74,7 +74,7 @@ class RidgeTracer
 	Proposal propose(const State& state, double h) const;
 	bool finishAtBorder(const State& state, double h, Vec2 outside, Proposal& proposal) const;
 	Verdict verify(const RidgePoint& a, Vec2 tangentA, const RidgePoint& b, Vec2 tangentB) const;
-	bool insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<Vec2>& nodes) const;
+	bool insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<RidgeNode>& nodes) const;
 	double nextStep(double h, const Relaxed& relaxed, const Verdict& verdict) const;
 	StopReason failure(const Proposal& proposal) const;
 	bool closesLoop(const State& state, const RidgePoint& next) const;
@@ -84,8 +84,8 @@ class RidgeTracer
 	TileBorder& border_;
 	const Options& options_;
 	const std::vector<Piece>& pieces_;
-	double eps_;  ///< [sigma]
-	double tolerance_;	///< of the relaxation [sigma]
+	double eps_;        ///< [sigma]
+	double tolerance_;  ///< of the relaxation [sigma]
 };
 
 }  // namespace ridgemap

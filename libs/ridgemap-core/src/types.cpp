@@ -33,16 +33,26 @@ const char* toString(StopReason reason)
 {
 	switch (reason)
 	{
-		case StopReason::crossing: return "crossing";
-		case StopReason::closedLoop: return "closed loop";
-		case StopReason::belowThreshold: return "below L_tol";
-		case StopReason::noMeasurement: return "no measurement within d_tol";
-		case StopReason::notARidge: return "not a ridge";
-		case StopReason::hitPolyline: return "hit a polyline";
-		case StopReason::unregisteredExit: return "unregistered exit";
-		case StopReason::noConvergence: return "no convergence";
-		case StopReason::workLimit: return "work limit";
-		case StopReason::count_: break;
+		case StopReason::crossing:
+			return "crossing";
+		case StopReason::closedLoop:
+			return "closed loop";
+		case StopReason::belowThreshold:
+			return "below L_tol";
+		case StopReason::noMeasurement:
+			return "no measurement within d_tol";
+		case StopReason::notARidge:
+			return "not a ridge";
+		case StopReason::hitPolyline:
+			return "hit a polyline";
+		case StopReason::unregisteredExit:
+			return "unregistered exit";
+		case StopReason::noConvergence:
+			return "no convergence";
+		case StopReason::workLimit:
+			return "work limit";
+		case StopReason::count_:
+			break;
 	}
 	return "unknown";
 }

@@ -12,15 +12,42 @@ struct Vec2
 	double y = 0;
 };
 
-inline Vec2 operator+(Vec2 a, Vec2 b) { return {a.x + b.x, a.y + b.y}; }
-inline Vec2 operator-(Vec2 a, Vec2 b) { return {a.x - b.x, a.y - b.y}; }
-inline Vec2 operator-(Vec2 a) { return {-a.x, -a.y}; }
-inline Vec2 operator*(double s, Vec2 a) { return {s * a.x, s * a.y}; }
-inline bool operator==(Vec2 a, Vec2 b) { return a.x == b.x && a.y == b.y; }
-inline double dot(Vec2 a, Vec2 b) { return a.x * b.x + a.y * b.y; }
-inline double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-inline double norm(Vec2 a) { return std::sqrt(dot(a, a)); }
-inline Vec2 leftNormal(Vec2 a) { return {-a.y, a.x}; }
+inline Vec2 operator+(Vec2 a, Vec2 b)
+{
+	return {a.x + b.x, a.y + b.y};
+}
+inline Vec2 operator-(Vec2 a, Vec2 b)
+{
+	return {a.x - b.x, a.y - b.y};
+}
+inline Vec2 operator-(Vec2 a)
+{
+	return {-a.x, -a.y};
+}
+inline Vec2 operator*(double s, Vec2 a)
+{
+	return {s * a.x, s * a.y};
+}
+inline bool operator==(Vec2 a, Vec2 b)
+{
+	return a.x == b.x && a.y == b.y;
+}
+inline double dot(Vec2 a, Vec2 b)
+{
+	return a.x * b.x + a.y * b.y;
+}
+inline double cross(Vec2 a, Vec2 b)
+{
+	return a.x * b.y - a.y * b.x;
+}
+inline double norm(Vec2 a)
+{
+	return std::sqrt(dot(a, a));
+}
+inline Vec2 leftNormal(Vec2 a)
+{
+	return {-a.y, a.x};
+}
 inline Vec2 unit(Vec2 a)
 {
 	const double n = norm(a);

@@ -11,10 +11,15 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double alwaysAttach = 1.5;  ///< free ends this close to another line are joined whatever their direction [sigma]
-constexpr double leastArc = 3;	///< parts of the same line nearer than this along the line are not "another line" [sigma]
+constexpr double alwaysAttach =
+	1.5;  ///< free ends this close to another line are joined whatever their direction [sigma]
+constexpr double leastArc =
+	3;  ///< parts of the same line nearer than this along the line are not "another line" [sigma]
 
-Vec2 vec(const Point2& p) { return {p.x, p.y}; }
+Vec2 vec(const Point2& p)
+{
+	return {p.x, p.y};
+}
 
 /** One open end of a line. */
 struct LineEnd
@@ -37,7 +42,7 @@ struct Target
 /** All segments of some lines, found by place. */
 class SegmentGrid
 {
-   public:
+ public:
 	SegmentGrid(const std::vector<Polyline>& lines, double cell) : lines_(lines), cell_(cell)
 	{
 		arc_.resize(lines.size());
@@ -48,7 +53,10 @@ class SegmentGrid
 			for (std::size_t k = 1; k < p.size(); k++)
 			{
 				arc_[i].push_back(arc_[i].back() + norm(vec(p[k]) - vec(p[k - 1])));
-				forCells(p[k - 1], p[k], 0, [&](std::vector<std::pair<int, int>>& c) { c.push_back({int(i), int(k)}); });
+				forCells(p[k - 1], p[k], 0,
+						 [&](std::vector<std::pair<int, int>>& c) {
+							 c.push_back({int(i), int(k)});
+						 });
 			}
 		}
 	}
@@ -67,26 +75,30 @@ class SegmentGrid
 				 });
 	}
 
-   private:
+ private:
 	template <class Fn>
 	void forCells(const Point2& a, const Point2& b, double grow, Fn fn)
 	{
 		const auto index = [&](double v) { return std::int64_t(std::floor(v / cell_)); };
 		for (auto y = index(std::min(a.y, b.y) - grow); y <= index(std::max(a.y, b.y) + grow); y++)
-			for (auto x = index(std::min(a.x, b.x) - grow); x <= index(std::max(a.x, b.x) + grow); x++) fn(cells_[{y, x}]);
+			for (auto x = index(std::min(a.x, b.x) - grow); x <= index(std::max(a.x, b.x) + grow); x++)
+				fn(cells_[{y, x}]);
 	}
 
 	const std::vector<Polyline>& lines_;
 	double cell_;
-	std::vector<std::vector<double>> arc_;	///< arc length at every node
+	std::vector<std::vector<double>> arc_;  ///< arc length at every node
 	std::map<std::pair<std::int64_t, std::int64_t>, std::vector<std::pair<int, int>>> cells_;
 };
 
 class EndJoiner
 {
-   public:
+ public:
 	EndJoiner(const std::vector<Polyline>& lines, const Options& options)
-		: lines_(lines), sigma_(options.sigma), reach_(options.attachDistance * options.sigma), grid_(lines, 4 * options.sigma)
+		: lines_(lines),
+		  sigma_(options.sigma),
+		  reach_(options.attachDistance * options.sigma),
+		  grid_(lines, 4 * options.sigma)
 	{
 		targets_.resize(2 * lines.size());
 		for (std::size_t i = 0; i < lines.size(); i++)
@@ -109,12 +121,13 @@ class EndJoiner
 					continue;
 				}
 				for (const bool atBack : {false, true})
-					if (!used[i] && (pass == 1 || !bridged({int(i), atBack}))) result.push_back(group({int(i), atBack}, used));
+					if (!used[i] && (pass == 1 || !bridged({int(i), atBack})))
+						result.push_back(group({int(i), atBack}, used));
 			}
 		return result;
 	}
 
-   private:
+ private:
 	Target& targetOf(LineEnd e) { return targets_[std::size_t(2 * e.line + e.atBack)]; }
 
 	const Point2& place(LineEnd e) const
@@ -156,7 +169,8 @@ class EndJoiner
 							  if (away < std::max(leastArc * sigma_, 3 * foot.distance)) return;
 						  }
 						  const Vec2 q = a + foot.t * (b - a);
-						  if (foot.distance > alwaysAttach * sigma_ && dot(q - tip, direction) < 0.5 * foot.distance) return;
+						  if (foot.distance > alwaysAttach * sigma_ && dot(q - tip, direction) < 0.5 * foot.distance)
+							  return;
 						  best.found = true;
 						  best.distance = foot.distance;
 						  best.foot = {q.x, q.y};
@@ -190,7 +204,9 @@ class EndJoiner
 			for (std::size_t k = 0; k < p.size(); k++)
 			{
 				const Point2& q = p[in.atBack ? p.size() - 1 - k : k];
-				if (result.points.empty() || result.points.back() != q) result.points.push_back(q);
+				if (!result.points.empty() && result.points.back() == q) continue;
+				result.points.push_back(q);
+				result.info.push_back(lines_[std::size_t(in.line)].info[in.atBack ? p.size() - 1 - k : k]);
 			}
 			const LineEnd out{in.line, !in.atBack};
 			result.endReason = reasonAt(out);
@@ -203,6 +219,7 @@ class EndJoiner
 			if (used[std::size_t(in.line)])
 			{
 				result.points.push_back(result.points.front());
+				result.info.push_back(result.info.front());
 				result.closed = true;
 				result.startReason = result.endReason = StopReason::closedLoop;
 				break;
@@ -215,7 +232,9 @@ class EndJoiner
 	void lead(LineEnd e, Polyline& result)
 	{
 		const Target& t = targetOf(e);
-		if (t.found && t.foot != place(e)) result.points.push_back(t.foot);
+		if (!t.found || t.foot == place(e)) return;
+		result.points.push_back(t.foot);
+		result.info.push_back({});
 	}
 
 	StopReason reasonAt(LineEnd e)
@@ -232,6 +251,47 @@ class EndJoiner
 };
 }  // namespace
 
+std::vector<Polyline> cutWeak(const std::vector<Polyline>& lines, const Options& options)
+{
+	std::vector<Polyline> result;
+	for (const Polyline& line : lines)
+	{
+		const std::size_t n = line.points.size();
+		const auto weak = [&](std::size_t k) { return line.info[k].curvature < float(options.minCurvature); };
+		std::size_t first = 0;
+		while (first < n && !weak(first)) first++;
+		if (first == n)
+		{
+			result.push_back(line);
+			continue;
+		}
+		// A closed line is cut at its first weak vertex, so that no run is torn at its arbitrary beginning.
+		const std::size_t begin = line.closed ? first : 0, count = line.closed ? n - 1 : n;
+		Polyline run;
+		const auto finish = [&](StopReason reason)
+		{
+			run.endReason = reason;
+			if (run.points.size() >= 2) result.push_back(run);
+			run = Polyline();
+			run.startReason = StopReason::notARidge;
+		};
+		run.startReason = line.closed ? StopReason::notARidge : line.startReason;
+		for (std::size_t i = 0; i < count; i++)
+		{
+			const std::size_t k = line.closed ? (begin + i) % count : i;
+			if (weak(k))
+			{
+				finish(StopReason::notARidge);
+				continue;
+			}
+			run.points.push_back(line.points[k]);
+			run.info.push_back(line.info[k]);
+		}
+		finish(line.closed ? StopReason::notARidge : line.endReason);
+	}
+	return result;
+}
+
 std::vector<Polyline> pruneShort(const std::vector<Polyline>& lines, const Options& options)
 {
 	std::vector<Polyline> result;
@@ -247,7 +307,8 @@ std::vector<Polyline> attachFreeEnds(const std::vector<Polyline>& lines, const O
 
 std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Options& options)
 {
-	std::vector<Polyline> walls = options.prune ? pruneShort(ridges, options) : ridges;
+	std::vector<Polyline> walls = options.minCurvature > 0 ? cutWeak(ridges, options) : ridges;
+	if (options.prune) walls = pruneShort(walls, options);
 	if (options.attach) walls = attachFreeEnds(walls, options);
 	return walls;
 }

@@ -9,11 +9,16 @@
 
 namespace ridgemap
 {
+/** Leaves out stretches whose vertices are less curved across than `minCurvature`: rungs between walls, which the ridge
+ * criterion admits but no surface made. */
+std::vector<Polyline> cutWeak(const std::vector<Polyline>& lines, const Options& options);
+
 /** Leaves out polylines shorter than `pruneLength` sigma; lengths are of whole, stitched polylines. */
 std::vector<Polyline> pruneShort(const std::vector<Polyline>& lines, const Options& options);
 
-/** Joins free ends to what lies beside them, at most `attachDistance` sigma away: two free ends that are nearest to each
- * other are bridged, any other free end is led to the nearest point of another line (or of a distant part of its own). */
+/** Joins free ends to what lies beside them, at most `attachDistance` sigma away: two free ends that are nearest to
+ * each other are bridged, any other free end is led to the nearest point of another line (or of a distant part of its
+ * own). */
 std::vector<Polyline> attachFreeEnds(const std::vector<Polyline>& lines, const Options& options);
 
 /** All passes that the options ask for, in order. */

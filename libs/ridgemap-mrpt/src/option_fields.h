@@ -54,12 +54,14 @@ void visitFields(const TCreationOptions*, O& o, V&& visit)
 	visit(FieldInfo{"cutoff", "sigma", "kernels farther than this may be left out", 4, 8}, o.cutoff);
 	visit(FieldInfo{"tileEdge", "sigma", "edge of a tile, the unit of update: a multiple of 4", 12, 64}, o.tileEdge);
 	visit(FieldInfo{"maxStep", "sigma", "longest segment", 0.1, 4}, o.maxStep);
-	visit(FieldInfo{"minCurvature", "1/sigma^2", "least curvature of a ridge across, relative to its height", 0, 1},
-		  o.minCurvature);
-	visit(FieldInfo{"minEigenGap", "", "least relative gap of the two curvatures of a ridge", 0, 1}, o.minEigenGap);
+	visit(FieldInfo{"maxSensitivity", "", "ridges end where a relative error of the density would move them by more", 1,
+					1e6},
+		  o.maxSensitivity);
 	visit(FieldInfo{"stepRule", "", "step along a ridge: from the verified error, or as in the paper"}, o.stepRule);
 	visit(FieldInfo{"seedRule", "", "initial guesses: projection onto the ridge, or local maxima as in the paper"},
 		  o.seedRule);
+	visit(FieldInfo{"minCurvature", "1/sigma^2", "walls: weaker stretches of ridge, -lambda1/L, are left out", 0, 1},
+		  o.minCurvature);
 	visit(FieldInfo{"prune", "", "walls: leave out short chains"}, o.prune);
 	visit(FieldInfo{"pruneLength", "sigma", "walls: chains shorter than this are left out", 0, 100}, o.pruneLength);
 	visit(FieldInfo{"attach", "", "walls: join free ends to the walls beside them"}, o.attach);

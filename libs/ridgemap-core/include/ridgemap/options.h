@@ -8,37 +8,40 @@ namespace ridgemap
 /** How the step along a ridge is chosen (paper section V-B). */
 enum class StepRule : std::uint8_t
 {
-	error = 0,	///< from the verified distance between segment and ridge (default)
-	paper = 1  ///< from the relaxation distance: above 0.75 sigma halve, below 0.25 sigma double
+	error = 0,  ///< from the verified distance between segment and ridge (default)
+	paper = 1   ///< from the relaxation distance: above 0.75 sigma halve, below 0.25 sigma double
 };
 
 /** How a measurement that no polyline covers is brought to the ridge (paper section V-A). */
 enum class SeedRule : std::uint8_t
 {
-	projection = 0,	 ///< along the eigenvector v1, then Newton's method on the ridge function (default)
-	maximum = 1	 ///< two-dimensional trust-region Newton method to a local maximum of L
+	projection = 0,  ///< along the eigenvector v1, then Newton's method on the ridge function (default)
+	maximum = 1      ///< two-dimensional trust-region Newton method to a local maximum of L
 };
 
 /** All parameters of a ridge map. Setting only `sigma` gives a good map.
  * Two maps can be merged, subtracted or compared only when all options are equal. */
 struct Options
 {
-	double sigma = 0.05;  ///< smoothing parameter [m], 1e-3 .. 1e3; choose 2.5-3 times the noise across the wall
-	double eps = 0;	 ///< bound on the distance of every polyline point to the true ridge [m]; 0: sigma/50
-	double lTol = 3;  ///< L_tol: least occupancy on a polyline [kernel peaks], > 0
-	double dTol = 4;  ///< d_tol: longest stretch of ridge without a measurement [sigma], 0.5 .. 4
-	double cell = 0.5;	///< edge of a lattice cell [sigma]: 1, 1/2, 1/4 or 1/8; 0: every measurement kept apart
-	double cutoff = 5;	///< kernels farther than this may be left out [sigma], 4 .. 8
+	double sigma = 0.05;   ///< smoothing parameter [m], 1e-3 .. 1e3; choose 2.5-3 times the noise across the wall
+	double eps = 0;        ///< bound on the distance of every polyline point to the true ridge [m]; 0: sigma/50
+	double lTol = 3;       ///< L_tol: least occupancy on a polyline [kernel peaks], > 0
+	double dTol = 4;       ///< d_tol: longest stretch of ridge without a measurement [sigma], 0.5 .. 4
+	double cell = 0.25;    ///< edge of a lattice cell [sigma]: 1, 1/2, 1/4 or 1/8; 0: every measurement kept apart
+	double cutoff = 5;     ///< kernels farther than this may be left out [sigma], 4 .. 8
 	double tileEdge = 16;  ///< edge of a tile, the unit of update [sigma]: a multiple of 4, 12 .. 64
-	double maxStep = 2;	 ///< longest segment [sigma], 0.1 .. 4
-	double minCurvature = 0.05;	///< least -lambda1/L on a ridge [1/sigma^2], 0 .. 1; removes rungs between walls
-	double minEigenGap = 0.02;	///< least (lambda2-lambda1)/|lambda1| on a ridge, 0 .. 1; stops at umbilic points
-	StepRule stepRule = StepRule::error;  ///< how the step along a ridge is chosen
+	double maxStep = 2;    ///< longest segment [sigma], 0.1 .. 4
+	/** Greatest factor by which a relative error of the density may move a ridge, in sigma, 1 .. 1e6. It grows without
+	 * limit at umbilic points, where the place of a ridge is not determined; ridges end where it is exceeded. */
+	double maxSensitivity = 60;
+	StepRule stepRule = StepRule::error;       ///< how the step along a ridge is chosen
 	SeedRule seedRule = SeedRule::projection;  ///< how initial guesses are found
 
-	bool prune = true;	///< walls: leave out short chains
-	double pruneLength = 3;	 ///< walls: chains shorter than this are left out [sigma], 0 .. 100
-	bool attach = true;	 ///< walls: join free ends to the walls beside them
+	double minCurvature =
+		0.05;           ///< walls: weaker stretches of ridge, -lambda1/L, are left out [1/sigma^2], 0 .. 1; 0: none
+	bool prune = true;  ///< walls: leave out short chains
+	double pruneLength = 3;       ///< walls: chains shorter than this are left out [sigma], 0 .. 100
+	bool attach = true;           ///< walls: join free ends to the walls beside them
 	double attachDistance = 2.2;  ///< walls: farthest that a free end is joined [sigma], 0 .. 5
 
 	/** Throws std::invalid_argument with the name, the value and the allowed range of the first field that is off. */

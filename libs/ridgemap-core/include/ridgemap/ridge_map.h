@@ -16,18 +16,18 @@ namespace ridgemap
  * Offsets are counted from the centre of the cell in units of sigma * 2^-20, second moments in (sigma * 2^-16)^2. */
 struct CellRecord
 {
-	std::int64_t cx = 0, cy = 0;  ///< cell index on the (rotated) lattice
-	std::uint32_t bin = 0;	///< viewing-direction bin; 0: direction not used
-	std::uint32_t n = 0;  ///< number of measurements
-	std::int64_t sx = 0, sy = 0;  ///< sums of offsets
-	std::int64_t sxx = 0, sxy = 0, syy = 0;	 ///< sums of products of offsets
+	std::int64_t cx = 0, cy = 0;             ///< cell index on the (rotated) lattice
+	std::uint32_t bin = 0;                   ///< viewing-direction bin; 0: direction not used
+	std::uint32_t n = 0;                     ///< number of measurements
+	std::int64_t sx = 0, sy = 0;             ///< sums of offsets
+	std::int64_t sxx = 0, sxy = 0, syy = 0;  ///< sums of products of offsets
 };
 
 /** One connected part of the map that an update recomputed (paper section IV, snapped to tiles). */
 struct UpdateRegion
 {
-	Box2 box;  ///< box around the tiles of the region, map frame
-	std::size_t tiles = 0;	///< tiles in the region
+	Box2 box;               ///< box around the tiles of the region, map frame
+	std::size_t tiles = 0;  ///< tiles in the region
 };
 
 /** Stable name of a polyline within one map object, as long as it does not change. Never used twice. */
@@ -36,14 +36,14 @@ using PolylineId = std::uint64_t;
 /** What RidgeMap::update() did. */
 struct UpdateResult
 {
-	std::vector<UpdateRegion> regions;	///< connected groups of recomputed tiles
-	std::vector<PolylineId> vanished;  ///< ridges that no longer exist in this form
-	std::vector<PolylineId> appeared;  ///< ridges that are new; see RidgeMap::ridge()
+	std::vector<UpdateRegion> regions;                                 ///< connected groups of recomputed tiles
+	std::vector<PolylineId> vanished;                                  ///< ridges that no longer exist in this form
+	std::vector<PolylineId> appeared;                                  ///< ridges that are new; see RidgeMap::ridge()
 	std::array<std::size_t, std::size_t(StopReason::count_)> stops{};  ///< ends of traces by reason
-	std::size_t tiles = 0;	///< tiles recomputed
-	std::size_t evaluations = 0;  ///< evaluations of the continuous occupancy
+	std::size_t tiles = 0;                                             ///< tiles recomputed
+	std::size_t evaluations = 0;                                       ///< evaluations of the continuous occupancy
 	std::size_t kernels = 0;  ///< kernels summed in these evaluations (lattice cells, not measurements)
-	std::size_t seeds = 0;	///< measurements from which a ridge was looked for
+	std::size_t seeds = 0;    ///< measurements from which a ridge was looked for
 
 	UpdateResult& operator+=(const UpdateResult& o);
 };
@@ -51,12 +51,13 @@ struct UpdateResult
 /** Figures of a whole map. */
 struct MapStatistics
 {
-	std::uint64_t measurements = 0;	 ///< measurements in the map
-	std::size_t cells = 0;	///< occupied lattice cells
-	std::size_t tiles = 0;	///< tiles that hold measurements or polylines
-	std::size_t bytes = 0;	///< memory in use, estimated [bytes]
+	std::uint64_t measurements = 0;       ///< measurements in the map
+	std::size_t cells = 0;                ///< occupied lattice cells
+	std::size_t tiles = 0;                ///< tiles that hold measurements or polylines
+	std::size_t bytes = 0;                ///< memory in use, estimated [bytes]
 	std::size_t unstitchedCrossings = 0;  ///< crossings of tile borders that only one side continues
-	std::array<std::size_t, std::size_t(StopReason::count_)> stops{};  ///< ends of the present polyline pieces by reason
+	std::array<std::size_t, std::size_t(StopReason::count_)>
+		stops{};  ///< ends of the present polyline pieces by reason
 };
 
 /** A map of surfaces: polylines on the ridges of the continuous occupancy of all measurements inserted so far.
@@ -72,7 +73,7 @@ struct MapStatistics
  * lock); a non-const function needs the map for itself. */
 class RidgeMap
 {
-   public:
+ public:
 	/** Throws std::invalid_argument if the options are not valid. */
 	explicit RidgeMap(const Options& options = Options());
 	~RidgeMap();
@@ -142,7 +143,7 @@ class RidgeMap
 	 * sums that no measurements can have, with the map as before. */
 	void insertCells(const std::vector<CellRecord>& cells);
 
-   private:
+ private:
 	struct Impl;
 	std::unique_ptr<Impl> impl_;
 };

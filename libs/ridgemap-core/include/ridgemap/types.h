@@ -22,10 +22,10 @@ struct Point2
  * free-space evidence. */
 struct Measurement
 {
-	double x = 0;  ///< measured point, map frame [m]
-	double y = 0;  ///< measured point, map frame [m]
-	double sensorX = std::numeric_limits<double>::quiet_NaN();	///< sensor position, map frame [m]; NaN: unknown
-	double sensorY = std::numeric_limits<double>::quiet_NaN();	///< sensor position, map frame [m]; NaN: unknown
+	double x = 0;                                               ///< measured point, map frame [m]
+	double y = 0;                                               ///< measured point, map frame [m]
+	double sensorX = std::numeric_limits<double>::quiet_NaN();  ///< sensor position, map frame [m]; NaN: unknown
+	double sensorY = std::numeric_limits<double>::quiet_NaN();  ///< sensor position, map frame [m]; NaN: unknown
 };
 
 /** Axis-aligned box in the map frame [m]; empty while min > max. */
@@ -42,28 +42,41 @@ struct Box2
 /** Why a ridge trace, and so a polyline, ends where it ends (paper section V-C and DESIGN of the borders). */
 enum class StopReason : std::uint8_t
 {
-	crossing = 0,  ///< reached a registered crossing of the tile border; the polyline goes on in the next tile
-	closedLoop,	 ///< came back to its own start
-	belowThreshold,	 ///< the continuous occupancy fell below L_tol
-	noMeasurement,	///< no projected measurement within d_tol
-	notARidge,	///< the ridge criterion (5)-(8) fails: umbilic point, flat or repulsive direction
-	hitPolyline,  ///< ran into a polyline that already stands
+	crossing = 0,      ///< reached a registered crossing of the tile border; the polyline goes on in the next tile
+	closedLoop,        ///< came back to its own start
+	belowThreshold,    ///< the continuous occupancy fell below L_tol
+	noMeasurement,     ///< no projected measurement within d_tol
+	notARidge,         ///< the ridge criterion (5)-(8) fails: umbilic point, flat or repulsive direction
+	hitPolyline,       ///< ran into a polyline that already stands
 	unregisteredExit,  ///< left its tile where the border has no crossing
-	noConvergence,	///< the relaxation did not converge at the smallest step
-	workLimit,	///< the bound on nodes per trace was reached
-	count_	///< number of reasons, not a reason
+	noConvergence,     ///< the relaxation did not converge at the smallest step
+	workLimit,         ///< the bound on nodes per trace was reached
+	count_             ///< number of reasons, not a reason
 };
 
 /** Short name of a reason, for reports. */
 const char* toString(StopReason reason);
 
+/** What the continuous occupancy says at a vertex of a polyline. */
+struct VertexInfo
+{
+	float occupancy = 0;  ///< L [kernels]; 0: the vertex was added by a wall pass and lies on no ridge
+	float curvature = 0;  ///< -lambda1/L times sigma^2: 1/(1 + (s/sigma)^2) on a straight wall with noise s across it
+
+	friend bool operator==(const VertexInfo& a, const VertexInfo& b)
+	{
+		return a.occupancy == b.occupancy && a.curvature == b.curvature;
+	}
+};
+
 /** A polyline of the map: consecutive points are joined by straight segments. */
 struct Polyline
 {
-	std::vector<Point2> points;	 ///< at least 2; a closed polyline repeats its first point at the end
+	std::vector<Point2> points;    ///< at least 2; a closed polyline repeats its first point at the end
+	std::vector<VertexInfo> info;  ///< one for every point
 	bool closed = false;
 	StopReason startReason = StopReason::belowThreshold;  ///< why it ends at points.front()
-	StopReason endReason = StopReason::belowThreshold;	///< why it ends at points.back()
+	StopReason endReason = StopReason::belowThreshold;    ///< why it ends at points.back()
 
 	/** Sum of the segment lengths [m]. */
 	double length() const;
@@ -73,10 +86,10 @@ struct Polyline
  * that one isolated measurement has value 1 at its own place. Derivatives are per metre. */
 struct OccupancySample
 {
-	double value = 0;  ///< L, equation (2) [kernels]
-	double gx = 0, gy = 0;	///< gradient, equation (3) [kernels/m]
-	double hxx = 0, hxy = 0, hyy = 0;  ///< Hessian, equation (4) [kernels/m^2]
-	double txxx = 0, txxy = 0, txyy = 0, tyyy = 0;	///< third derivatives [kernels/m^3]
+	double value = 0;                               ///< L, equation (2) [kernels]
+	double gx = 0, gy = 0;                          ///< gradient, equation (3) [kernels/m]
+	double hxx = 0, hxy = 0, hyy = 0;               ///< Hessian, equation (4) [kernels/m^2]
+	double txxx = 0, txxy = 0, txyy = 0, tyyy = 0;  ///< third derivatives [kernels/m^3]
 };
 
 }  // namespace ridgemap
