@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ridge_point.h"
 
+#include <limits>
+
 namespace ridgemap
 {
 namespace
@@ -44,8 +46,10 @@ RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s)
 
 double sensitivity(const RidgePoint& r)
 {
+	const double pull = -dot(r.df, r.v1);
+	if (!(pull > 0)) return std::numeric_limits<double>::infinity();
 	const double turn = std::abs(dot(r.gradient, r.v2)) / (r.lambda2 - r.lambda1);
-	return r.occupancy * (1 + turn) / norm(r.df);
+	return r.occupancy * (1 + turn) / pull;
 }
 
 bool isRidgeLike(const RidgePoint& r, const Options& o)

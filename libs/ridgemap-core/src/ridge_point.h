@@ -34,8 +34,9 @@ struct RidgePoint
  * grad f = lambda1 v1 + <g, v2>/(lambda1 - lambda2) T(v1, v2, .). */
 RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s);
 
-/** How far the ridge moves [sigma] per relative error of L and its derivatives: grad f is what resists, and an error of
- * the Hessian turns v1 by its share of the eigen-gap. About 1.5 on a plain wall, without limit at an umbilic point. */
+/** How far the ridge moves [sigma] per relative error of L and its derivatives: the fall of f across the ridge is what
+ * resists, and an error of the Hessian turns v1 by its share of the eigen-gap. About 1.5 on a plain wall, without limit
+ * at an umbilic point; infinite where f does not fall, so that the density does not lead towards the ridge. */
 double sensitivity(const RidgePoint& r);
 
 /** The ridge is attractive and its place is determined here: lambda1 < 0, bounded sensitivity. Says nothing of f. */

@@ -74,7 +74,7 @@ RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) con
 		if (!step.next.converged || step.exits)
 		{
 			reason = step.exits ? StopReason::unregisteredExit : step.next.reason;
-			if (reason == StopReason::belowThreshold || reason == StopReason::unregisteredExit) ahead = h;
+			if (reason == StopReason::belowThreshold) ahead = h;
 			h *= 0.5;
 			if (h < endResolution) break;
 			continue;
