@@ -37,6 +37,13 @@ std::pair<int, bool> pieceAt(const Tile* tile, int side, int crossing)
 		}
 	return {-1, false};
 }
+
+/** The ridge ends right behind this crossing. */
+bool endsAt(const Tile* tile, int side, int crossing)
+{
+	return tile && std::any_of(tile->stubs.begin(), tile->stubs.end(),
+							   [&](const PieceEnd& s) { return s.side == side && s.crossing == crossing; });
+}
 }  // namespace
 
 bool Chains::comesBefore(const PieceRef& a, const PieceRef& b)
@@ -210,9 +217,8 @@ std::size_t countUnstitched(const TileStore& tiles, TileKey key)
 		const auto [other, otherSide] = beyond(key, side);
 		for (int k = 0; k < int(edge.crossings.size()); k++)
 		{
-			const bool here = pieceAt(tile, side, k).first >= 0;
-			const bool there = pieceAt(tiles.find(other), otherSide, k).first >= 0;
-			count += here != there;
+			count += (pieceAt(tile, side, k).first < 0 && !endsAt(tile, side, k)) ||
+					 (pieceAt(tiles.find(other), otherSide, k).first < 0 && !endsAt(tiles.find(other), otherSide, k));
 		}
 	};
 	countSide(tile->bottom, bottomSide);

@@ -57,7 +57,7 @@ class Chains
 	PolylineId nextId_ = 1;
 };
 
-/** Number of crossings of a tile's left and bottom border that only one side continues. */
+/** Number of crossings of a tile's left and bottom border that only one side continues although the ridge goes on. */
 std::size_t countUnstitched(const TileStore& tiles, TileKey key);
 
 }  // namespace ridgemap

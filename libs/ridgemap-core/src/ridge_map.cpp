@@ -240,6 +240,7 @@ MapStatistics RidgeMap::statistics() const
 		for (const Block& b : tile.blocks) s.bytes += b.memoryBytes();
 		for (const Edge* e : {&tile.bottom, &tile.left})
 			s.bytes += e->path.capacity() * sizeof(Vec2) + e->crossings.capacity() * sizeof(Crossing);
+		s.bytes += tile.stubs.capacity() * sizeof(PieceEnd);
 		for (const Piece& p : tile.pieces)
 		{
 			s.bytes += sizeof(Piece) + p.nodes.capacity() * sizeof(RidgeNode);

@@ -106,6 +106,7 @@ struct Tile
 	Edge bottom;                ///< from this tile's corner to that of the tile on the right
 	Edge left;                  ///< from this tile's corner to that of the tile above
 	std::vector<Piece> pieces;
+	std::vector<PieceEnd> stubs;              ///< crossings right behind which the ridge ends, with the reason
 	std::vector<std::uint64_t> chainOfPiece;  ///< polyline that each piece belongs to, 0: none yet
 	std::uint64_t cellCount = 0;
 };

@@ -50,7 +50,10 @@ class TileTracer
 		finish(walk);
 		piece.end = walk.end;
 		piece.nodes = std::move(walk.nodes);
-		if (piece.nodes.size() >= 2) add(std::move(piece));
+		if (piece.nodes.size() >= 2)
+			add(std::move(piece));
+		else
+			result_.stubs.push_back({piece.end.reason, port.side, port.index});
 	}
 
 	void fromMeasurements()

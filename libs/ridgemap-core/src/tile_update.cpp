@@ -61,7 +61,7 @@ std::vector<UpdateRegion> findRegions(const std::vector<TileKey>& keys, const La
 
 bool isDefault(const Tile& t)
 {
-	return t.cellCount == 0 && t.pieces.empty() && t.corner == Vec2{} && t.bottom.path.size() <= 2 &&
+	return t.cellCount == 0 && t.pieces.empty() && t.stubs.empty() && t.corner == Vec2{} && t.bottom.path.size() <= 2 &&
 		   t.left.path.size() <= 2 && t.bottom.crossings.empty() && t.left.crossings.empty();
 }
 }  // namespace
@@ -107,6 +107,7 @@ std::vector<ReplacedTile> updateTiles(Lattice& lattice, const Options& options, 
 		result.seeds += traces[i].seeds;
 		result.evaluations += fields[i].work().evaluations;
 		result.kernels += fields[i].work().kernels;
+		tile.stubs = std::move(traces[i].stubs);
 		if (tile.pieces == traces[i].pieces) continue;
 		replaced.push_back({keys[i], tile.chainOfPiece});
 		tile.pieces = std::move(traces[i].pieces);

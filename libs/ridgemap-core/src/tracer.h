@@ -15,6 +15,7 @@ namespace ridgemap
 struct TileTrace
 {
 	std::vector<Piece> pieces;
+	std::vector<PieceEnd> stubs;  ///< crossings right behind which the ridge ends
 	std::array<std::size_t, std::size_t(StopReason::count_)> stops{};
 	std::size_t seeds = 0;
 };

@@ -55,7 +55,7 @@ struct MapStatistics
 	std::size_t cells = 0;                ///< occupied lattice cells
 	std::size_t tiles = 0;                ///< tiles that hold measurements or polylines
 	std::size_t bytes = 0;                ///< memory in use, estimated [bytes]
-	std::size_t unstitchedCrossings = 0;  ///< crossings of tile borders that only one side continues
+	std::size_t unstitchedCrossings = 0;  ///< crossings of tile borders where a ridge goes on but its polyline does not
 	std::array<std::size_t, std::size_t(StopReason::count_)>
 		stops{};  ///< ends of the present polyline pieces by reason
 };
