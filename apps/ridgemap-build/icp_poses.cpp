@@ -75,7 +75,7 @@ class IcpPoses : public PoseSource
 	void see(const mrpt::obs::CActionCollection::Ptr& action) override
 	{
 		action_ = action;
-		for (std::size_t i = 0; i < action->size(); i++) addTime(action->get(i));
+		for (std::size_t i = 0; i < action->size(); i++) addTime(*action->get(i));
 	}
 
 	void see(const mrpt::obs::CSensoryFrame::Ptr& frame) override
