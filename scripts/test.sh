@@ -28,4 +28,5 @@ done
 say "building ($preset)"
 build "$preset"
 say "testing ($preset)"
-ctest --test-dir "$root/build-$preset" --output-on-failure --no-label-summary --parallel 2
+cd "$root"
+ctest --preset "$preset" --no-label-summary --parallel 2
