@@ -78,7 +78,7 @@ TEST(MapOptions, EveryFieldOfTheCoreIsInTheTable)
 	from.creation = TCreationOptions(all);
 	for (const auto& key : MapOptions::keys()) to.setOption(key, from.getOption(key));
 	EXPECT_TRUE(static_cast<const Options&>(to.creation) == all);
-	EXPECT_EQ(sizeof(Options), 14 * sizeof(double)) << "a field was added: add it to option_fields.h and above";
+	EXPECT_EQ(sizeof(Options), 15 * sizeof(double)) << "a field was added: add it to option_fields.h and above";
 }
 
 TEST(MapOptions, IniRoundTripIsExact)
@@ -231,10 +231,11 @@ TEST(MapOptions, RangesOfTheTableAreThoseOfTheCore)
 		Options beyond;
 		const auto set = [&](double v)
 		{
-			double* fields[] = {&beyond.sigma,       &beyond.lTol,          &beyond.dTol,         &beyond.cutoff,
-								&beyond.tileEdge,    &beyond.maxStep,       &beyond.maxSensitivity, &beyond.minCurvature,
-								&beyond.pruneLength, &beyond.attachDistance};
-			const char* names[] = {"sigma",   "lTol",         "dTol",        "cutoff",      "tileEdge",
+			double* fields[] = {&beyond.sigma,          &beyond.lTol,         &beyond.dTol,
+								&beyond.cutoff,         &beyond.tileEdge,     &beyond.maxStep,
+								&beyond.maxSensitivity, &beyond.minCurvature, &beyond.pruneLength,
+								&beyond.attachDistance};
+			const char* names[] = {"sigma",   "lTol",           "dTol",         "cutoff",      "tileEdge",
 								   "maxStep", "maxSensitivity", "minCurvature", "pruneLength", "attachDistance"};
 			beyond = Options();
 			for (std::size_t i = 0; i < std::size(names); i++)

@@ -7,6 +7,9 @@
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 
+#include <atomic>
+#include <thread>
+
 #include "scenes.h"
 
 using namespace ridgemap;
@@ -87,6 +90,68 @@ TEST(MultiMetricMap, InsertsCopiesAndSerializes)
 	EXPECT_TRUE(bytesOf(loaded) == bytesOf(maps));
 	loaded.insertObservation(scanOfRoom(0.4, 0.2, -0.5), pose);
 	EXPECT_FALSE(bytesOf(*loaded.mapByClass<CRidgeMap2D>()) == bytesOf(*original)) << "the copy must be a deep one";
+}
+
+TEST(MultiMetricMap, CopiesShareWhatIsBuiltUntilOneChanges)
+{
+	CMultiMetricMap maps;
+	maps.setListOfMaps(initializers(iniText));
+	const auto original = maps.mapByClass<CRidgeMap2D>();
+	original->insertMeasurements(room());
+	original->walls();
+	CMultiMetricMap copy(maps);
+	const auto copied = copy.mapByClass<CRidgeMap2D>();
+	EXPECT_EQ(&copied->core(), &original->core()) << "MRPT copies by serializing, and that must not trace anew";
+	EXPECT_EQ(CRidgeMap2D(*original).getAsSimplePointsMap(), original->getAsSimplePointsMap());
+	const auto before = bytesOf(*original);
+	copied->insertMeasurements(wall({0, -1}, {0, 1}));
+	EXPECT_NE(&copied->core(), &original->core());
+	EXPECT_TRUE(bytesOf(*original) == before);
+	EXPECT_NEAR(original->nearestWallPoint({0, 0})->distance, 2, 0.02);
+	EXPECT_NEAR(copied->nearestWallPoint({0, 0})->distance, 0, 0.02);
+
+	// An archive must give its own content, whatever became of the map that wrote it.
+	original->clear();
+	CRidgeMap2D loaded;
+	readInto(loaded, before);
+	EXPECT_TRUE(bytesOf(loaded) == before);
+	EXPECT_NEAR(loaded.nearestWallPoint({0, 0})->distance, 2, 0.02);
+	CRidgeMap2D other;
+	readInto(other, before);
+	EXPECT_EQ(&other.core(), &loaded.core());
+	other.clear();
+	EXPECT_TRUE(bytesOf(loaded) == before);
+}
+
+TEST(MultiMetricMap, CopiesInSeveralThreads)
+{
+	CRidgeMap2D source;
+	source.insertMeasurements(room(1.5, 1));
+	const auto bytes = bytesOf(source);
+	const auto more = wall({0, -0.5}, {0, 0.5});
+	CRidgeMap2D grown(source);
+	grown.insertMeasurements(more);
+	const auto grownBytes = bytesOf(grown);
+	std::atomic<int> wrong{0};
+	std::vector<std::thread> threads;
+	for (int t = 0; t < 6; t++)
+		threads.emplace_back(
+			[&]
+			{
+				for (int i = 0; i < 20; i++)
+				{
+					CRidgeMap2D mine;
+					readInto(mine, bytes);
+					wrong += bytesOf(mine) != bytes;
+					mine.insertMeasurements(more);
+					wrong += bytesOf(mine) != grownBytes;
+					mine.eraseMeasurements(more);
+					wrong += bytesOf(mine) != bytes;
+				}
+			});
+	for (auto& thread : threads) thread.join();
+	EXPECT_EQ(wrong, 0);
+	EXPECT_TRUE(bytesOf(source) == bytes);
 }
 
 TEST(MultiMetricMap, LoadsASimpleMap)

@@ -6,6 +6,7 @@
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/poses/CPose3D.h>
 
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>

@@ -6,13 +6,13 @@
 #include <limits>
 #include <utility>
 
-#include "query_cache.h"
+#include "map_state.h"
 
 namespace ridgemap
 {
 CRidgeMap2D::CRidgeMap2D() : CRidgeMap2D(Options()) {}
 
-CRidgeMap2D::CRidgeMap2D(const Options& options) : core_(options), cache_(std::make_unique<QueryCache>()) {}
+CRidgeMap2D::CRidgeMap2D(const Options& options) : state_(std::make_shared<MapState>(options)) {}
 
 CRidgeMap2D::CRidgeMap2D(const MapOptions& options) : CRidgeMap2D(options.creation)
 {
@@ -26,8 +26,7 @@ CRidgeMap2D::CRidgeMap2D(const CRidgeMap2D& o)
 	  insertionOptions(o.insertionOptions),
 	  likelihoodOptions(o.likelihoodOptions),
 	  renderOptions(o.renderOptions),
-	  core_(o.core_),
-	  cache_(std::make_unique<QueryCache>(*o.cache_))
+	  state_(o.state_)
 {
 	genericMapParams = o.genericMapParams;
 }
@@ -59,41 +58,46 @@ void CRidgeMap2D::swap(CRidgeMap2D& o)
 	std::swap(insertionOptions, o.insertionOptions);
 	std::swap(likelihoodOptions, o.likelihoodOptions);
 	std::swap(renderOptions, o.renderOptions);
-	std::swap(core_, o.core_);
-	std::swap(cache_, o.cache_);
+	std::swap(state_, o.state_);
 }
 
 void CRidgeMap2D::internal_clear()
 {
-	core_.clear();
-	cache_->reset();
+	MapState& state = own(state_);
+	state.core.clear();
+	state.cache.reset();
+}
+
+const RidgeMap& CRidgeMap2D::core() const
+{
+	return state_->core;
 }
 
 std::string CRidgeMap2D::asString() const
 {
-	const MapStatistics s = core_.statistics();
+	const MapStatistics s = core().statistics();
 	return mrpt::format("Ridge map of %llu measurements in %zu lattice cells, sigma %g m",
 						static_cast<unsigned long long>(s.measurements), s.cells, options().sigma);
 }
 
 UpdateResult CRidgeMap2D::update(unsigned threads)
 {
-	return core_.update(threads);
+	return own(state_).core.update(threads);
 }
 
 void CRidgeMap2D::setThreads(unsigned threads)
 {
-	core_.setThreads(threads);
+	own(state_).core.setThreads(threads);
 }
 
 std::shared_ptr<const PolylineIndex> CRidgeMap2D::wallIndex() const
 {
-	return cache_->walls([this] { return std::make_shared<const PolylineIndex>(walls(), options().sigma); });
+	return state_->cache.walls([this] { return std::make_shared<const PolylineIndex>(walls(), options().sigma); });
 }
 
 std::shared_ptr<const PolylineIndex> CRidgeMap2D::ridgeIndex() const
 {
-	return cache_->ridges([this] { return std::make_shared<const PolylineIndex>(ridges(), options().sigma); });
+	return state_->cache.ridges([this] { return std::make_shared<const PolylineIndex>(ridges(), options().sigma); });
 }
 
 std::optional<NearestPoint> CRidgeMap2D::nearestWallPoint(const Point2& query, double maxDistance) const
@@ -109,8 +113,8 @@ std::optional<NearestPoint> CRidgeMap2D::nearestRidgePoint(const Point2& query, 
 const mrpt::maps::CSimplePointsMap* CRidgeMap2D::getAsSimplePointsMap() const
 {
 	const auto index = wallIndex();
-	return cache_
-		->points(
+	return state_->cache
+		.points(
 			[&]
 			{
 				auto map = std::make_shared<mrpt::maps::CSimplePointsMap>();
@@ -124,7 +128,7 @@ const mrpt::maps::CSimplePointsMap* CRidgeMap2D::getAsSimplePointsMap() const
 
 mrpt::math::TBoundingBoxf CRidgeMap2D::boundingBox() const
 {
-	const Box2 box = core_.boundingBox();
+	const Box2 box = core().boundingBox();
 	if (box.empty()) return {{0, 0, 0}, {0, 0, 0}};
 	// Rounded outwards, for single precision must not cut off a measurement.
 	constexpr float infinite = std::numeric_limits<float>::infinity();

@@ -41,7 +41,7 @@ void CRidgeMap2D::saveMetricMapRepresentationToFile(const std::string& filNamePr
 	writePolylinesCsv(filNamePrefix + "_walls.csv", walls());
 	Drawing drawing;
 	drawing.lines = walls();
-	drawing.measurements = core_.cellCentroids();
+	drawing.measurements = core().cellCentroids();
 	writeSvg(filNamePrefix + ".svg", drawing);
 	saveScene(*this, filNamePrefix + ".3Dscene");
 }

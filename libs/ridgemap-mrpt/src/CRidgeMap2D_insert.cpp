@@ -2,32 +2,40 @@
 #include <ridgemap/CRidgeMap2D.h>
 #include <ridgemap/observation_to_measurements.h>
 
-#include "query_cache.h"
+#include "map_state.h"
 
 namespace ridgemap
 {
+namespace
+{
+/** Changes the map alone, not its copies, and drops what queries have built. */
+template <class Change>
+void change(std::shared_ptr<MapState>& state, Change&& apply)
+{
+	MapState& mine = own(state);
+	apply(mine.core);
+	mine.cache.reset();
+}
+}  // namespace
+
 void CRidgeMap2D::insertMeasurements(const std::vector<Measurement>& measurements)
 {
-	core_.insert(measurements);
-	cache_->reset();
+	change(state_, [&](RidgeMap& map) { map.insert(measurements); });
 }
 
 void CRidgeMap2D::eraseMeasurements(const std::vector<Measurement>& measurements)
 {
-	core_.erase(measurements);
-	cache_->reset();
+	change(state_, [&](RidgeMap& map) { map.erase(measurements); });
 }
 
 void CRidgeMap2D::merge(const CRidgeMap2D& other)
 {
-	core_.merge(other.core_);
-	cache_->reset();
+	change(state_, [&](RidgeMap& map) { map.merge(other.core()); });
 }
 
 void CRidgeMap2D::subtract(const CRidgeMap2D& other)
 {
-	core_.subtract(other.core_);
-	cache_->reset();
+	change(state_, [&](RidgeMap& map) { map.subtract(other.core()); });
 }
 
 bool CRidgeMap2D::internal_insertObservation(const mrpt::obs::CObservation& obs,

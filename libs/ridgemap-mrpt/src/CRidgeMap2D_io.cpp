@@ -8,6 +8,7 @@
 
 #include "byte_stream.h"
 #include "checksum.h"
+#include "map_state.h"
 #include "option_text.h"
 
 // Version 0: number of bytes (8), the bytes, their CRC-32 (4), integers little-endian. The bytes are: the three generic
@@ -118,6 +119,11 @@ std::vector<std::uint8_t> readBytes(mrpt::serialization::CArchive& in, std::uint
 	}
 	return bytes;
 }
+
+std::uint64_t contentKey(std::uint32_t crc, const std::vector<std::uint8_t>& bytes)
+{
+	return std::uint64_t(crc) << 32 ^ bytes.size();
+}
 }  // namespace
 
 uint8_t CRidgeMap2D::serializeGetVersion() const
@@ -132,11 +138,13 @@ void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 	content.byte(genericMapParams.enableObservationLikelihood);
 	content.byte(genericMapParams.enableObservationInsertion);
 	writeOptions(content, mapOptions());
-	writeCells(content, core_.cells());
+	writeCells(content, core().cells());
 	const auto& bytes = content.bytes();
 	writeFixed<8>(out, bytes.size());
 	out.WriteBuffer(bytes.data(), bytes.size());
-	writeFixed<4>(out, crc32(bytes.data(), bytes.size()));
+	const std::uint32_t crc = crc32(bytes.data(), bytes.size());
+	writeFixed<4>(out, crc);
+	rememberState(contentKey(crc, bytes), state_);
 }
 
 void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
@@ -145,7 +153,8 @@ void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t versi
 		throw std::runtime_error("stored ridge map: version " + std::to_string(version) +
 								 " is newer than this library, which reads version 0");
 	const std::vector<std::uint8_t> bytes = readBytes(in, readFixed<8>(in));
-	if (readFixed<4>(in) != crc32(bytes.data(), bytes.size()))
+	const std::uint32_t crc = crc32(bytes.data(), bytes.size());
+	if (readFixed<4>(in) != crc)
 		throw std::runtime_error("stored ridge map: the checksum does not fit, the data are damaged");
 	ByteReader content(bytes);
 	const bool as3D = content.byte() != 0, likelihood = content.byte() != 0, insertion = content.byte() != 0;
@@ -153,8 +162,12 @@ void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t versi
 	loaded.genericMapParams.enableSaveAs3DObject = as3D;
 	loaded.genericMapParams.enableObservationLikelihood = likelihood;
 	loaded.genericMapParams.enableObservationInsertion = insertion;
-	loaded.core_.insertCells(readCells(content));
+	const auto cells = readCells(content);
 	if (content.left() != 0) throw std::runtime_error("stored ridge map: there are data behind the last cell");
+	if (auto living = findState(contentKey(crc, bytes), loaded.options(), cells))
+		loaded.state_ = std::move(living);
+	else
+		loaded.state_->core.insertCells(cells);
 	swap(loaded);
 }
 

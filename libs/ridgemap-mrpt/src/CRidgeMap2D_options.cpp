@@ -4,18 +4,19 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "map_state.h"
+
 namespace ridgemap
 {
 void CRidgeMap2D::setOptions(const Options& options)
 {
 	options.validate();
-	if (options == core_.options()) return;
+	if (options == core().options()) return;
 	if (!isEmpty())
 		throw std::logic_error(
 			"the creation options of a ridge map that holds measurements cannot change; clear the map, or make a new "
 			"one");
-	core_ = RidgeMap(options);
-	internal_clear();
+	state_ = std::make_shared<MapState>(options);
 }
 
 MapOptions CRidgeMap2D::mapOptions() const

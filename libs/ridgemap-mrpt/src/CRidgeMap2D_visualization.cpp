@@ -40,7 +40,7 @@ void CRidgeMap2D::getVisualizationInto(mrpt::opengl::CSetOfObjects& outObj) cons
 {
 	if (!genericMapParams.enableSaveAs3DObject) return;
 	const TRenderOptions& o = renderOptions;
-	if (o.showMeasurements) drawPoints(core_.cellCentroids(), "measurements", o.measurementColor, o.pointSize, outObj);
+	if (o.showMeasurements) drawPoints(core().cellCentroids(), "measurements", o.measurementColor, o.pointSize, outObj);
 	if (o.showRidges) drawPolylines(ridges(), "ridges", o.ridgeColor, o.lineWidth, outObj);
 	if (o.showWalls) drawPolylines(walls(), "walls", o.wallColor, o.lineWidth, outObj);
 }

@@ -9,20 +9,10 @@
 
 namespace ridgemap
 {
-/** What const queries of a map have built, guarded by a mutex. Indices never change once built, so copies of a map
- * share them; the points map does not travel, for callers may change theirs. */
+/** What const queries of a map have built, guarded by a mutex. */
 class QueryCache
 {
  public:
-	QueryCache() = default;
-	QueryCache(const QueryCache& o)
-	{
-		const std::lock_guard<std::mutex> lock(o.mutex_);
-		walls_ = o.walls_;
-		ridges_ = o.ridges_;
-	}
-	QueryCache& operator=(const QueryCache&) = delete;
-
 	/** To be called by every function that changes the map. */
 	void reset()
 	{
@@ -59,7 +49,7 @@ class QueryCache
 		return slot;
 	}
 
-	mutable std::mutex mutex_;
+	std::mutex mutex_;
 	std::shared_ptr<const PolylineIndex> walls_, ridges_;
 	std::shared_ptr<const mrpt::maps::CSimplePointsMap> points_;
 };

@@ -18,7 +18,7 @@
 
 namespace ridgemap
 {
-class QueryCache;
+struct MapState;
 
 /** Makes the map classes known to MRPT. Loading the library does this by itself; a program that uses the map only
  * through MRPT's registry (INI files, serialized objects) calls it once, else the linker may drop the library
@@ -46,7 +46,8 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	explicit CRidgeMap2D(const Options& options);
 	explicit CRidgeMap2D(const MapOptions& options);
 	~CRidgeMap2D() override;
-	/** Copies map and options, not the observers subscribed to it. What queries have built is shared, not redone. */
+	/** Copies map and options, not the observers subscribed to it. O(1): measurements, polylines and what queries have
+	 * built are shared until one of the two changes. */
 	CRidgeMap2D(const CRidgeMap2D& o);
 	CRidgeMap2D& operator=(const CRidgeMap2D& o);
 	/** Leaves an empty map with the same options behind. */
@@ -62,7 +63,7 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	TRenderOptions renderOptions;
 
 	/** The parameters of the algorithm. */
-	const Options& options() const { return core_.options(); }
+	const Options& options() const { return core().options(); }
 	/** Replaces them; throws std::exception if they are not valid, or differ and the map is not empty. */
 	void setOptions(const Options& options);
 
@@ -95,11 +96,11 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	/** @name Queries
 	 * @{ */
 	/** The map without MRPT: occupancy, cells, statistics. */
-	const RidgeMap& core() const { return core_; }
+	const RidgeMap& core() const;
 	/** Strict ridges: every point within eps of the true ridge. */
-	const std::vector<Polyline>& ridges() const { return core_.ridges(); }
+	const std::vector<Polyline>& ridges() const { return core().ridges(); }
 	/** Walls: ridges after pruning and attachment, for people and robots. */
-	const std::vector<Polyline>& walls() const { return core_.walls(); }
+	const std::vector<Polyline>& walls() const { return core().walls(); }
 	/** The point of walls() nearest to a point, by a KD-tree; exact. Nothing if there is none within maxDistance or the
 	 * query is not finite. About O(log walls); the first query after a change builds the tree. */
 	std::optional<NearestPoint> nearestWallPoint(const Point2& query,
@@ -111,7 +112,7 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 
 	/** @name Interface of CMetricMap
 	 * @{ */
-	bool isEmpty() const override { return core_.empty(); }
+	bool isEmpty() const override { return core().empty(); }
 	std::string asString() const override;
 
 	/** Pairs the points of another map with their feet on the nearest walls. Gate: maxDistForCorrespondence +
@@ -173,8 +174,7 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	std::shared_ptr<const PolylineIndex> ridgeIndex() const;
 	void swap(CRidgeMap2D& o);
 
-	RidgeMap core_;
-	std::unique_ptr<QueryCache> cache_;  ///< indices built by const queries, under a mutex
+	std::shared_ptr<MapState> state_;  ///< shared with copies until one of them changes; never null
 };
 
 /** Reads a map from a file that MRPT wrote (an object in a CFileGZOutputStream), compressed or not. Throws
