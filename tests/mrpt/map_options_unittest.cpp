@@ -69,7 +69,7 @@ TEST(MapOptions, EveryFieldOfTheCoreIsInTheTable)
 {
 	// The table is compared with operator== of the core: a field that is not in the table would not survive.
 	Options all;
-	all.sigma = 0.07, all.eps = 0.001, all.lTol = 2.5, all.dTol = 3.5, all.cell = 0.25, all.cutoff = 6,
+	all.sigma = 0.07, all.eps = 0.001, all.lTol = 2.5, all.dTol = 3.5, all.cell = 0.5, all.cutoff = 6,
 	all.tileEdge = 20;
 	all.maxStep = 1.5, all.minCurvature = 0.25, all.maxSensitivity = 40, all.stepRule = StepRule::paper;
 	all.seedRule = SeedRule::maximum, all.prune = false, all.pruneLength = 4, all.attach = false,
