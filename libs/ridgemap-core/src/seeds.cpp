@@ -17,7 +17,8 @@ bool accepted(const RidgePoint& r, const Options& o)
 }
 
 /** Mean shift along v1 while the density is not yet attractive, Newton's method on f where it is. */
-std::optional<RidgePoint> project(const TileField& field, const Options& options, Vec2 start)
+std::optional<RidgePoint> project(const TileField& field, const Options& options, Vec2 start,
+								  const std::function<bool(Vec2)>& known)
 {
 	Vec2 p = start;
 	for (int i = 0; i < maxIterations; i++)
@@ -35,7 +36,7 @@ std::optional<RidgePoint> project(const TileField& field, const Options& options
 		else if (std::abs(step) < tolerance)
 			return std::nullopt;
 		p = p + std::max(-0.4, std::min(0.4, step)) * r.v1;
-		if (!field.inDomain(p) || norm(p - start) > reach) return std::nullopt;
+		if (!field.inDomain(p) || norm(p - start) > reach || known(p)) return std::nullopt;
 	}
 	return std::nullopt;
 }
@@ -55,7 +56,8 @@ Vec2 trustRegionStep(const RidgePoint& r, double radius)
 	return length > radius ? (radius / length) * step : step;
 }
 
-std::optional<RidgePoint> climb(const TileField& field, const Options& options, Vec2 start)
+std::optional<RidgePoint> climb(const TileField& field, const Options& options, Vec2 start,
+								const std::function<bool(Vec2)>& known)
 {
 	RidgePoint r = makeRidgePoint(start, field.sample(start));
 	double radius = 0.5;
@@ -63,7 +65,7 @@ std::optional<RidgePoint> climb(const TileField& field, const Options& options, 
 	{
 		const Vec2 step = trustRegionStep(r, radius);
 		if (norm(step) < tolerance) return accepted(r, options) ? std::optional(r) : std::nullopt;
-		if (!field.inDomain(r.p + step)) return std::nullopt;
+		if (!field.inDomain(r.p + step) || known(r.p + step)) return std::nullopt;
 		const RidgePoint next = makeRidgePoint(r.p + step, field.sample(r.p + step));
 		const double a = dot(step, r.v1), b = dot(step, r.v2);
 		const double predicted = dot(r.gradient, step) + 0.5 * (r.lambda1 * a * a + r.lambda2 * b * b);
@@ -75,9 +77,11 @@ std::optional<RidgePoint> climb(const TileField& field, const Options& options, 
 }
 }  // namespace
 
-std::optional<RidgePoint> findRidge(const TileField& field, const Options& options, Vec2 start)
+std::optional<RidgePoint> findRidge(const TileField& field, const Options& options, Vec2 start,
+									const std::function<bool(Vec2)>& known)
 {
-	return options.seedRule == SeedRule::maximum ? climb(field, options, start) : project(field, options, start);
+	return options.seedRule == SeedRule::maximum ? climb(field, options, start, known)
+												 : project(field, options, start, known);
 }
 
 }  // namespace ridgemap

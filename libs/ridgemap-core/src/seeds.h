@@ -2,6 +2,7 @@
 // Initial guesses of the second kind (paper section V-A): from a measurement to a point of the ridge.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "field.h"
@@ -10,7 +11,8 @@
 namespace ridgemap
 {
 /** Finds a ridge point above L_tol by the rule of the options, starting at a measurement. None if the search does not
- * converge to one within the domain of the field. */
-std::optional<RidgePoint> findRidge(const TileField& field, const Options& options, Vec2 start);
+ * converge to one within the domain of the field, or as soon as it comes to a place that is `known` already. */
+std::optional<RidgePoint> findRidge(const TileField& field, const Options& options, Vec2 start,
+									const std::function<bool(Vec2)>& known);
 
 }  // namespace ridgemap

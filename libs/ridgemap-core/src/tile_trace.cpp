@@ -11,7 +11,8 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double coverDistance = 0.8;  ///< measurements within this of a piece start no ridge [sigma]
+constexpr double coverDistance = 1;  ///< measurements within this of a piece start no ridge [sigma]
+constexpr double knownDistance = 0.2;  ///< a search that comes this close to a piece has found nothing new [sigma]
 constexpr double seedMargin = 1.5;     ///< measurements up to this far outside a tile may start ridges in it [sigma]
 constexpr double leastLength = 0.02;   ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
 
@@ -75,8 +76,16 @@ class TileTracer
 	void fromMeasurement(Vec2 q)
 	{
 		result_.seeds++;
-		const std::optional<RidgePoint> seed = findRidge(field_, options_, q);
-		if (!seed || !border_.contains(seed->p) || covered(seed->p, 0.1)) return;
+		Vec2 last = q;
+		const auto known = [&](Vec2 p)
+		{
+			last = p;
+			return covered(p, knownDistance) ||
+				   std::any_of(barren_.begin(), barren_.end(), [&](Vec2 b) { return norm(p - b) < knownDistance; });
+		};
+		const std::optional<RidgePoint> seed = findRidge(field_, options_, q, known);
+		if (!seed && !covered(last, knownDistance)) barren_.push_back(last);
+		if (!seed || !border_.contains(seed->p) || covered(seed->p, knownDistance)) return;
 		const Vec2 tangent = seed->tangent(seed->v2);
 		RidgeTracer::Walk forward = tracer_.walk(*seed, tangent);
 		finish(forward);
@@ -126,6 +135,7 @@ class TileTracer
 	TileBorder& border_;
 	const Options& options_;
 	TileTrace result_;
+	std::vector<Vec2> barren_;  ///< where searches ended that found no ridge
 	RidgeTracer tracer_;
 };
 }  // namespace
