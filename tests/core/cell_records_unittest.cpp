@@ -61,7 +61,8 @@ TEST(CellIndex, NeighboursAcrossTheOriginAreApart)
 
 TEST(CellSums, AreThoseOfTheMeasurements)
 {
-	const Options o;
+	Options o;
+	o.cell = 0.5;
 	RidgeMap map(o);
 	const std::vector<Vec2> places{{0.1, 0.2}, {0.3, 0.05}, {0.45, 0.49}};
 	double sx = 0, sxy = 0, syy = 0;
@@ -118,7 +119,8 @@ TEST(CellCount, IsLimitedAndTheLimitIsNoOverflow)
 
 TEST(CellRecords, ForgedOnesAreTurnedDown)
 {
-	const Options o;
+	Options o;
+	o.cell = 0.5;
 	RidgeMap map(o);
 	map.insert({at(o, {0.1, 0.1}), at(o, {0.3, 0.4}), at(o, {0.2, 0.45})});
 	const CellRecord good = map.cells().at(0);

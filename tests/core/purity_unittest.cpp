@@ -107,7 +107,8 @@ std::string nameOf(const testing::TestParamInfo<Kind>& info)
 }
 
 INSTANTIATE_TEST_SUITE_P(Core, Purity,
-						 testing::Values(Kind{"compacted", 0.5, StepRule::error, SeedRule::projection, 100},
+						 testing::Values(Kind{"standard", Options().cell, StepRule::error, SeedRule::projection, 600},
+										 Kind{"compacted", 0.5, StepRule::error, SeedRule::projection, 100},
 										 Kind{"raw", 0, StepRule::error, SeedRule::projection, 200},
 										 Kind{"paperSteps", 0.5, StepRule::paper, SeedRule::projection, 300},
 										 Kind{"maximumSeeds", 0.5, StepRule::error, SeedRule::maximum, 400},

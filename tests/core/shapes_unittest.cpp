@@ -114,6 +114,28 @@ TEST(StraightWall, WithoutNoiseIsExact)
 	EXPECT_EQ(map.statistics().unstitchedCrossings, 0u);
 }
 
+TEST(StraightWall, VerticesKnowHeightAndCurvature)
+{
+	const double noise = 0.4, density = 100;
+	const RidgeMap map = mapOf(SceneBuilder(31, 1, noise, density).wall({0, 0}, {60, 0}).finish());
+	ASSERT_EQ(map.walls().size(), 1u);
+	for (const auto* lines : {&map.ridges(), &map.walls()})
+		for (const Polyline& line : *lines)
+		{
+			ASSERT_EQ(line.info.size(), line.points.size());
+			for (std::size_t i = 0; i < line.points.size(); i++)
+			{
+				if (line.info[i].occupancy == 0) continue;
+				const double value = map.occupancy(line.points[i]).value;
+				EXPECT_NEAR(line.info[i].occupancy, value, 1e-3 * value);
+				if (line.points[i].x < 5 || line.points[i].x > 55) continue;
+				// L = sqrt(2 pi) density / sqrt(1 + s^2), -lambda1 / L = 1 / (1 + s^2)
+				EXPECT_NEAR(value, std::sqrt(2 * pi / (1 + noise * noise)) * density, 0.25 * value);
+				EXPECT_NEAR(line.info[i].curvature, 1 / (1 + noise * noise), 0.1);
+			}
+		}
+}
+
 TEST(StraightWall, ErrorFallsWithTheRootOfTheDensity)
 {
 	const auto error = [](double density)

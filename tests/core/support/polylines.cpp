@@ -145,6 +145,7 @@ std::string firstDifference(const std::vector<Polyline>& a, const std::vector<Po
 				  << ") and (" << q.points[k].x << ", " << q.points[k].y << ")";
 				return s.str();
 			}
+		if (!(p.info == q.info)) return "what is known of the vertices of polyline " + std::to_string(i);
 		if (p.points.size() != q.points.size() || p.closed != q.closed || p.startReason != q.startReason ||
 			p.endReason != q.endReason)
 		{
