@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simplemap_reader.h"
 
+#include <mrpt/img/CImage.h>
+#include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3DPDF.h>
 #include <mrpt/serialization/CArchive.h>
@@ -13,6 +15,7 @@ namespace ridgemap::apps
 SimpleMapReader::SimpleMapReader(const std::string& path) : path_(path)
 {
 	GzInput input(path);
+	mrpt::img::CImage::setImagesPathBase(mrpt::obs::CRawlog::detectImagesDirectory(path));
 	try
 	{
 		auto archive = mrpt::serialization::archiveFrom(input);
