@@ -141,6 +141,7 @@ void Builder::take(std::vector<Measurement>&& measurements, bool isScan)
 
 void Builder::insert(const std::vector<Measurement>& measurements, bool update)
 {
+	throwIfInterrupted();
 	const auto start = std::chrono::steady_clock::now();
 	map_.insertMeasurements(measurements);
 	outdated_ = !update;
@@ -170,7 +171,6 @@ void Builder::feedShuffled()
 	progress_.start("shuffled", "measurements");
 	for (std::size_t done = 0; done < waiting_.size(); done += batch)
 	{
-		throwIfInterrupted();
 		const std::size_t end = std::min(done + batch, waiting_.size());
 		insert(
 			std::vector<Measurement>(waiting_.begin() + std::ptrdiff_t(done), waiting_.begin() + std::ptrdiff_t(end)),
