@@ -187,9 +187,12 @@ TEST(Exactness, CrossingsAreStitched)
 
 TEST(Exactness, WallsHaveNoFragmentsAndNoDanglingEnds)
 {
-	for (int i = 0; i < sceneCount(60); i++)
+	// The first seeds were found difficult.
+	std::vector<std::uint64_t> seeds{8109, 8117, 8200, 8257};
+	for (int i = 0; i < sceneCount(60); i++) seeds.push_back(8000 + std::uint64_t(i));
+	for (const std::uint64_t seed : seeds)
 	{
-		const RandomScene scene = randomScene(8000 + std::uint64_t(i));
+		const RandomScene scene = randomScene(seed);
 		RidgeMap map(optionsFor(scene));
 		map.insert(scene.measurements);
 		for (const Polyline& wall : map.walls()) EXPECT_GE(wall.length(), 2 * scene.sigma) << describe(scene);
