@@ -107,12 +107,19 @@ std::size_t danglingEnds(const std::vector<Polyline>& lines, double reach)
 	const SegmentIndex index(lines, 2 * reach);
 	std::size_t count = 0;
 	for (std::size_t i = 0; i < lines.size(); i++)
-		for (const Point2& end : {lines[i].points.front(), lines[i].points.back()})
+		for (const bool atBack : {false, true})
 		{
 			if (lines[i].closed) continue;
-			const double distance = index.nearest(
-				end, reach, [&](const SegmentIndex::Segment& s, const SegmentFoot&) { return s.line != i; });
-			count += distance > 1e-9 * reach && distance < reach;
+			const double arc = atBack ? lines[i].length() : 0;
+			const auto isOther = [&](const SegmentIndex::Segment& s, const SegmentFoot&) { return s.line != i; };
+			const auto isElsewhere = [&](const SegmentIndex::Segment& s, const SegmentFoot& foot)
+			{
+				const double at = s.arc + foot.t * std::hypot(s.b.x - s.a.x, s.b.y - s.a.y);
+				return s.line != i || std::abs(at - arc) > 2 * reach;
+			};
+			const Point2 end = atBack ? lines[i].points.back() : lines[i].points.front();
+			const bool touches = index.nearest(end, reach, isElsewhere) <= 1e-9 * reach;
+			count += !touches && index.nearest(end, reach, isOther) < reach;
 		}
 	return count;
 }

@@ -109,7 +109,8 @@ Coverage measureCoverage(const Oracle& oracle, const std::vector<Measurement>& m
 /** Length that runs within eps of another, or a distant part of the same, polyline in about its direction [m]. */
 double duplicatedLength(const std::vector<Polyline>& lines, const Options& options);
 
-/** Open ends of polylines that have another polyline within `reach`, but do not touch it. */
+/** Open ends of polylines that have another polyline within `reach`, but touch none, nor a distant part of their own.
+ */
 std::size_t danglingEnds(const std::vector<Polyline>& lines, double reach);
 
 /** Equality to the last bit; else a line that says what is different first. */
