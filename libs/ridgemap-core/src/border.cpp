@@ -137,16 +137,16 @@ class SegmentScan
 	{
 		const double extent = CellGrid(options_.cell).halfExtent();
 		bool ahead = false, behind = false;
-		field_.forEachKernelNear(p, options_.dTol + supportWidth,
-								 [&](Vec2 q, double)
-								 {
-									 const Vec2 d = q - p;
-									 const double along = dot(d, tangent), across = cross(tangent, d);
-									 if (std::abs(across) > supportWidth || std::abs(along) > options_.dTol + extent)
-										 return;
-									 ahead = ahead || along + extent >= 0;
-									 behind = behind || along - extent <= 0;
-								 });
+		field_.forEachCellNear(p, options_.dTol + supportWidth,
+							   [&](Vec2 q, std::uint32_t)
+							   {
+								   const Vec2 d = q - p;
+								   const double along = dot(d, tangent), across = cross(tangent, d);
+								   if (std::abs(across) > supportWidth || std::abs(along) > options_.dTol + extent)
+									   return;
+								   ahead = ahead || along + extent >= 0;
+								   behind = behind || along - extent <= 0;
+							   });
 		return ahead && behind;
 	}
 

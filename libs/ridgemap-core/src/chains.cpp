@@ -111,8 +111,17 @@ Chains::Chain Chains::assemble(const TileStore& tiles, const PieceRef& any)
 	return chain;
 }
 
+void Chains::clear()
+{
+	for (const auto& entry : chains_) cleared_.push_back(entry.first);
+	chains_.clear();
+}
+
 void Chains::update(TileStore& tiles, const std::vector<ReplacedTile>& replaced, UpdateResult& result)
 {
+	std::sort(cleared_.begin(), cleared_.end());
+	result.vanished.insert(result.vanished.end(), cleared_.begin(), cleared_.end());
+	cleared_.clear();
 	std::set<PolylineId> gone;
 	std::vector<PieceRef> pending;
 	for (const ReplacedTile& r : replaced)

@@ -27,7 +27,9 @@ class Chains
 	/** Brings the polylines up to date; adds to vanished and appeared of the result. */
 	void update(TileStore& tiles, const std::vector<ReplacedTile>& replaced, UpdateResult& result);
 
-	void clear() { chains_.clear(); }
+	/** Forgets all polylines; the next update reports them as vanished. */
+	void clear();
+	bool hasCleared() const { return !cleared_.empty(); }
 
 	/** All polylines in canonical order. */
 	std::vector<Polyline> polylines(const TileStore& tiles, const Frame& frame) const;
@@ -54,6 +56,7 @@ class Chains
 	static Polyline materialise(const Chain& chain, const TileStore& tiles, const Frame& frame);
 
 	std::unordered_map<PolylineId, Chain> chains_;
+	std::vector<PolylineId> cleared_;
 	PolylineId nextId_ = 1;
 };
 

@@ -61,7 +61,7 @@ KernelSums TileField::sample(Vec2 p) const
 			const float oy = std::max(0.0f, std::max(b->minY - dy, dy - b->maxY));
 			if (ox * ox + oy * oy > reach * reach) continue;
 			views_.push_back({b->kernels.data(), b->kernels.size(), dx, dy});
-			work_.kernels += b->cells.size();
+			work_.kernels += b->kernelCount;
 		}
 	work_.evaluations++;
 	return sumKernels(views_.data(), views_.size());

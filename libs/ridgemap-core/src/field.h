@@ -49,9 +49,9 @@ class TileField
 	/** Sum of the weights of all kernels that the tile can depend on. */
 	double totalWeight() const { return totalWeight_; }
 
-	/** Calls fn(place, weight) for the kernels in the blocks that come within `radius` of p, in canonical order. */
+	/** Calls fn(centroid, count) for the cells in the blocks that come within `radius` of p, in canonical order. */
 	template <class Fn>
-	void forEachKernelNear(Vec2 p, double radius, Fn fn) const
+	void forEachCellNear(Vec2 p, double radius, Fn fn) const
 	{
 		const Range x = range(p.x, radius), y = range(p.y, radius);
 		for (int by = y.first; by <= y.last; by++)
@@ -60,11 +60,7 @@ class TileField
 				const Block* b = block(bx, by);
 				if (!b) continue;
 				const Vec2 c = centre(bx, by);
-				for (std::size_t i = 0; i < b->cells.size(); i++)
-				{
-					const KernelGroup& g = b->kernels[i / 8];
-					fn(Vec2{c.x + double(g.x[i % 8]), c.y + double(g.y[i % 8])}, double(g.w[i % 8]));
-				}
+				for (const CellPoint& q : b->points) fn(Vec2{c.x + double(q.x), c.y + double(q.y)}, q.n);
 			}
 	}
 

@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "kernel_merge.h"
+
 namespace ridgemap
 {
 namespace
 {
-constexpr std::int64_t momentShift = 16;  ///< offsets are divided by this before they are multiplied
+constexpr std::int64_t momentShift = CellSums::momentShift;
 
 /** Rounds to the nearest multiple of 16 quanta, halves upwards. */
 std::int64_t coarse(std::int64_t offset)
@@ -19,34 +21,6 @@ std::int64_t coarse(std::int64_t offset)
 bool keyLess(const Cell& c, CellKey k)
 {
 	return c.key < k;
-}
-
-/** One kernel: a normal density whose covariance is that of the smoothing kernel plus that of the cell's
- * measurements about their mean. It has the mass, mean and second moments of the sum of their kernels. */
-struct Kernel
-{
-	float x, y, a, b, c, w;
-};
-
-Kernel makeKernel(const Cell& cell, const CellGrid& grid)
-{
-	const double n = cell.sums.n;
-	const Vec2 m = centroidInBlock(cell, grid);
-	const double unit = double(momentShift) / double(Frame::quantaPerSigma);
-	const double mx = double(cell.sums.sx) / n / double(Frame::quantaPerSigma);
-	const double my = double(cell.sums.sy) / n / double(Frame::quantaPerSigma);
-	const double vx = std::max(0.0, double(cell.sums.sxx) / n * unit * unit - mx * mx);
-	const double vy = std::max(0.0, double(cell.sums.syy) / n * unit * unit - my * my);
-	double vxy = double(cell.sums.sxy) / n * unit * unit - mx * my;
-	const double limit = std::sqrt(vx * vy);
-	vxy = std::max(-limit, std::min(limit, vxy));
-	const double det = (1 + vx) * (1 + vy) - vxy * vxy;
-	return {float(m.x),
-			float(m.y),
-			float((1 + vy) / det),
-			float(-vxy / det),
-			float((1 + vx) / det),
-			float(n / std::sqrt(det))};
 }
 }  // namespace
 
@@ -73,6 +47,12 @@ void CellGrid::checkPossible(const CellSums& s) const
 	};
 	bad = bad || shortOf(s.sxx, s.sx) || shortOf(s.syy, s.sy);
 	bad = bad || double(s.sxy) * double(s.sxy) > double(s.sxx) * double(s.syy) * (1 + 1e-9);
+	// A single measurement leaves no freedom.
+	if (n == 1)
+	{
+		const std::int64_t cx = coarse(s.sx), cy = coarse(s.sy);
+		bad = bad || s.sxx != cx * cx || s.sxy != cx * cy || s.syy != cy * cy;
+	}
 	if (bad) throw std::invalid_argument("ridge map: these cell sums belong to no set of measurements");
 }
 
@@ -96,32 +76,21 @@ void Block::dropEmpty()
 
 void Block::rebuild(const CellGrid& grid)
 {
-	kernels.assign((cells.size() + 7) / 8, KernelGroup{});
+	points.clear();
 	weight = 0;
-	minX = minY = 1e30f;
-	maxX = maxY = -1e30f;
-	for (std::size_t i = 0; i < cells.size(); i++)
+	for (const Cell& c : cells)
 	{
-		const Kernel k = makeKernel(cells[i], grid);
-		KernelGroup& g = kernels[i / 8];
-		const std::size_t lane = i % 8;
-		g.x[lane] = k.x;
-		g.y[lane] = k.y;
-		g.a[lane] = k.a;
-		g.b[lane] = k.b;
-		g.c[lane] = k.c;
-		g.w[lane] = k.w;
-		minX = std::min(minX, k.x);
-		maxX = std::max(maxX, k.x);
-		minY = std::min(minY, k.y);
-		maxY = std::max(maxY, k.y);
-		weight += double(cells[i].sums.n);
+		const Vec2 p = centroidInBlock(c, grid);
+		points.push_back({float(p.x), float(p.y), c.sums.n});
+		weight += double(c.sums.n);
 	}
+	makeKernels(*this, grid);
 }
 
 std::size_t Block::memoryBytes() const
 {
-	return sizeof(Block) + cells.capacity() * sizeof(Cell) + kernels.capacity() * sizeof(KernelGroup);
+	return sizeof(Block) + cells.capacity() * sizeof(Cell) + kernels.capacity() * sizeof(KernelGroup) +
+		   points.capacity() * sizeof(CellPoint);
 }
 
 Vec2 centroidInBlock(const Cell& cell, const CellGrid& grid)

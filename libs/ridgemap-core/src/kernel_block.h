@@ -13,6 +13,8 @@ namespace ridgemap
  * 16 first, so that 2^31 measurements fit. */
 struct CellSums
 {
+	static constexpr std::int64_t momentShift = 16;  ///< offsets are divided by this before they are multiplied
+
 	std::uint32_t n = 0;
 	std::int64_t sx = 0, sy = 0;
 	std::int64_t sxx = 0, sxy = 0, syy = 0;
@@ -66,12 +68,21 @@ struct KernelGroup
 	float x[8], y[8], a[8], b[8], c[8], w[8];
 };
 
-/** A square of 4 x 4 sigma with its cells (exact) and the kernels made from them (float), kept up to date by rebuild().
- * Kernels are a function of the cells alone, in canonical order. */
+/** Where the measurements of a cell lie: centroid relative to the block centre [sigma], and how many they are. */
+struct CellPoint
+{
+	float x, y;
+	std::uint32_t n;
+};
+
+/** A square of 4 x 4 sigma with its cells (exact) and what is made from them by rebuild(): the kernels to be summed and
+ * the places of the measurements. Both are a function of the cells alone, in canonical order. */
 struct Block
 {
-	std::vector<Cell> cells;  ///< sorted by key
+	std::vector<Cell> cells;        ///< sorted by key
+	std::vector<CellPoint> points;  ///< one for every cell
 	std::vector<KernelGroup> kernels;
+	std::size_t kernelCount = 0;                   ///< kernels in use; the last group may have free lanes
 	float minX = 0, maxX = 0, minY = 0, maxY = 0;  ///< box of the kernels relative to the block centre [sigma]
 	double weight = 0;                             ///< sum of the counts
 
@@ -79,7 +90,7 @@ struct Block
 	const Cell* find(CellKey key) const;
 	/** Takes out cells that hold nothing. */
 	void dropEmpty();
-	/** Recomputes kernels, box and weight from the cells. */
+	/** Recomputes everything that is made from the cells. */
 	void rebuild(const CellGrid& grid);
 	std::size_t memoryBytes() const;
 };

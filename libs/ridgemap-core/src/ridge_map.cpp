@@ -31,7 +31,7 @@ struct RidgeMap::Impl
 	UpdateResult update(unsigned threadCount)
 	{
 		UpdateResult result;
-		if (!lattice.hasChanged()) return result;
+		if (!lattice.hasChanged() && !chains.hasCleared()) return result;
 		chains.update(lattice.tiles(), updateTiles(lattice, options, threadCount, result), result);
 		ridgesMade = wallsMade = false;
 		return result;

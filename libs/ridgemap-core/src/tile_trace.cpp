@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "exp_series.h"
 #include "seeds.h"
 #include "tracer.h"
 
@@ -11,10 +12,13 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double coverDistance = 1;  ///< measurements within this of a piece start no ridge [sigma]
+constexpr double coverDistance = 1;    ///< measurements within this of a piece start no ridge [sigma]
 constexpr double knownDistance = 0.2;  ///< a search that comes this close to a piece has found nothing new [sigma]
-constexpr double seedMargin = 1.5;     ///< measurements up to this far outside a tile may start ridges in it [sigma]
-constexpr double leastLength = 0.02;   ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
+constexpr double shadowWidth = 4;      ///< how far a ridge can outweigh measurements beside it [sigma]
+constexpr double shadowShare = 1.2;   ///< of the density of a wall beside it, above which a cell may have its own ridge
+constexpr double leastCell = 0.25;    ///< edge by which the density of uncompacted measurements is judged [sigma]
+constexpr double seedMargin = 1.5;    ///< measurements up to this far outside a tile may start ridges in it [sigma]
+constexpr double leastLength = 0.02;  ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
 
 double lengthOf(const std::vector<RidgeNode>& nodes)
 {
@@ -61,16 +65,16 @@ class TileTracer
 	{
 		const double edge = field_.tileEdge(), half = 0.5 * edge;
 		// Collected first: tracing must not depend on how far the loop over kernels has come.
-		std::vector<Vec2> starts;
-		field_.forEachKernelNear(
+		std::vector<std::pair<Vec2, std::uint32_t>> starts;
+		field_.forEachCellNear(
 			{half, half}, half + seedMargin,
-			[&](Vec2 q, double)
+			[&](Vec2 q, std::uint32_t n)
 			{
 				if (q.x >= -seedMargin && q.y >= -seedMargin && q.x <= edge + seedMargin && q.y <= edge + seedMargin)
-					starts.push_back(q);
+					starts.push_back({q, n});
 			});
-		for (const Vec2& q : starts)
-			if (!covered(q, coverDistance)) fromMeasurement(q);
+		for (const auto& [q, n] : starts)
+			if (!covered(q, coverDistance) && !outweighed(q, n)) fromMeasurement(q);
 	}
 
 	void fromMeasurement(Vec2 q)
@@ -126,6 +130,23 @@ class TileTracer
 		for (const Piece& piece : result_.pieces)
 			for (std::size_t i = 1; i < piece.nodes.size(); i++)
 				if (footOnSegment(piece.nodes[i - 1].p, piece.nodes[i].p, p).distance < distance) return true;
+		return false;
+	}
+
+	/** The cell at q lies in the tail of a wall that is so much denser there that no ridge of its own can rise. */
+	bool outweighed(Vec2 q, std::uint32_t n) const
+	{
+		const double cell = options_.cell > 0 ? options_.cell : leastCell;
+		const double density = double(n) / (cell * cell);  // measurements per sigma^2
+		for (const Piece& piece : result_.pieces)
+			for (std::size_t i = 1; i < piece.nodes.size(); i++)
+			{
+				const RidgeNode &a = piece.nodes[i - 1], &b = piece.nodes[i];
+				const double d = footOnSegment(a.p, b.p, q).distance;
+				if (d > shadowWidth) continue;
+				const double wall = double(std::min(a.info.occupancy, b.info.occupancy)) * expMinusSeries(0.5 * d * d);
+				if (density < shadowShare * wall) return true;
+			}
 		return false;
 	}
 

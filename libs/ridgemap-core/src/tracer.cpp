@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "border.h"
+#include "exp_series.h"
 
 namespace ridgemap
 {
@@ -25,18 +26,6 @@ double hermite(double h, double m0, double m1, double t)
 RidgeNode node(const RidgePoint& r)
 {
 	return {r.p, {float(r.occupancy), float(-r.lambda1 / r.occupancy)}};
-}
-
-/** Upper bound of exp(-x) by the series of exp(x). */
-double expMinusBound(double x)
-{
-	double sum = 1, term = 1;
-	for (int k = 1; k <= 30; k++)
-	{
-		term *= x / k;
-		sum += term;
-	}
-	return 1 / sum;
 }
 }  // namespace
 
@@ -283,12 +272,12 @@ bool RidgeTracer::onPolyline(Vec2 p, Vec2 direction) const
 bool RidgeTracer::measurementNear(const RidgePoint& r, Vec2 tangent) const
 {
 	// L >= L_tol needs a kernel within d_tol unless very many lie farther away.
-	if (field_.totalWeight() * expMinusBound(0.5 * options_.dTol * options_.dTol) < options_.lTol) return true;
+	if (field_.totalWeight() * expMinusSeries(0.5 * options_.dTol * options_.dTol) < options_.lTol) return true;
 	const double reach = options_.dTol + CellGrid(options_.cell).halfExtent();
 	bool near = false;
-	field_.forEachKernelNear(
+	field_.forEachCellNear(
 		r.p, options_.dTol + supportWidth,
-		[&](Vec2 q, double)
+		[&](Vec2 q, std::uint32_t)
 		{
 			const Vec2 d = q - r.p;
 			near = near || (std::abs(dot(d, tangent)) <= reach && std::abs(cross(tangent, d)) <= supportWidth);
@@ -309,23 +298,23 @@ void RidgeTracer::trimToMeasurements(Walk& walk) const
 	}
 	double back = length;
 	const double extent = CellGrid(options_.cell).halfExtent();
-	field_.forEachKernelNear(walk.nodes.back().p, window + supportWidth,
-							 [&](Vec2 q, double)
-							 {
-								 double behind = 0, bestBehind = length, best = supportWidth;
-								 for (std::size_t i = walk.nodes.size() - 1; i > first; i--)
-								 {
-									 const SegmentFoot foot = footOnSegment(walk.nodes[i].p, walk.nodes[i - 1].p, q);
-									 const double segment = norm(walk.nodes[i].p - walk.nodes[i - 1].p);
-									 if (foot.distance < best)
-									 {
-										 best = foot.distance;
-										 bestBehind = behind + foot.t * segment;
-									 }
-									 behind += segment;
-								 }
-								 back = std::min(back, std::max(0.0, bestBehind - extent));
-							 });
+	field_.forEachCellNear(walk.nodes.back().p, window + supportWidth,
+						   [&](Vec2 q, std::uint32_t)
+						   {
+							   double behind = 0, bestBehind = length, best = supportWidth;
+							   for (std::size_t i = walk.nodes.size() - 1; i > first; i--)
+							   {
+								   const SegmentFoot foot = footOnSegment(walk.nodes[i].p, walk.nodes[i - 1].p, q);
+								   const double segment = norm(walk.nodes[i].p - walk.nodes[i - 1].p);
+								   if (foot.distance < best)
+								   {
+									   best = foot.distance;
+									   bestBehind = behind + foot.t * segment;
+								   }
+								   behind += segment;
+							   }
+							   back = std::min(back, std::max(0.0, bestBehind - extent));
+						   });
 	if (back <= 0) return;
 	if (walk.end.reason == StopReason::unregisteredExit) walk.end.reason = StopReason::noMeasurement;
 	while (walk.nodes.size() > 1)
