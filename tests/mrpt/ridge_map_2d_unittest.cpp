@@ -13,6 +13,7 @@
 #include <limits>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "scenes.h"
 
@@ -204,7 +205,7 @@ TEST(CRidgeMap2D, Visualization)
 	const auto lines = scene.getByClass<mrpt::opengl::CSetOfLines>();
 	ASSERT_TRUE(lines);
 	EXPECT_EQ(lines->getLineCount(), segments);
-	EXPECT_EQ(lines->begin()->point1.x, map.walls()[0].points[0].x);
+	EXPECT_EQ(std::as_const(*lines).begin()->point1.x, map.walls()[0].points[0].x);
 	map.renderOptions.showRidges = map.renderOptions.showMeasurements = true;
 	mrpt::opengl::CSetOfObjects all;
 	map.getVisualizationInto(all);
