@@ -135,7 +135,7 @@ class SegmentScan
 	/** Measurements lie on both sides of the border along the ridge, so that it does not end right here. */
 	bool isSupported(Vec2 p, Vec2 tangent) const
 	{
-		const double extent = CellGrid(options_.cell).halfExtent();
+		const double extent = CellGrid(options_).halfExtent();
 		bool ahead = false, behind = false;
 		field_.forEachCellNear(p, options_.dTol + supportWidth,
 							   [&](Vec2 q, std::uint32_t)

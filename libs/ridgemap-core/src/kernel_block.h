@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ridgemap/options.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -38,12 +41,16 @@ struct Cell
 class CellGrid
 {
  public:
-	explicit CellGrid(double cellInSigma)
-		: edge_(cellInSigma > 0 ? std::int64_t(cellInSigma * double(Frame::quantaPerSigma)) : 1)
+	explicit CellGrid(const Options& o)
+		: edge_(o.cell > 0 ? std::int64_t(o.cell * double(Frame::quantaPerSigma)) : 1),
+		  mergeTolerance_(1.5e-3 * std::min(0.02, o.effectiveEps() / o.sigma) *
+						  std::min(1.0, 64 * o.cell * o.cell * o.cell))
 	{
 	}
 
 	std::int64_t edge() const { return edge_; }
+	/** Largest error of a kernel that stands for several cells, as a share of all kernels of its block. */
+	double mergeTolerance() const { return mergeTolerance_; }
 	/** Half the extent of a cell [sigma]: how far a measurement may lie from the place of its kernel. */
 	double halfExtent() const { return edge_ > 1 ? 0.5 * double(edge_) / double(Frame::quantaPerSigma) : 0; }
 	std::int64_t cellsPerBlock() const { return Frame::quantaPerBlock / edge_; }
@@ -59,6 +66,7 @@ class CellGrid
 
  private:
 	std::int64_t edge_;
+	double mergeTolerance_;
 };
 
 /** Eight kernels side by side, one SIMD lane each: place relative to the block centre [sigma], the inverse (a b; b c)

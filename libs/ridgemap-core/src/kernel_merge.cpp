@@ -8,9 +8,6 @@ namespace ridgemap
 {
 namespace
 {
-/** Largest error of a merged kernel, as a share of the block's weight. */
-constexpr double tolerance = 3e-5;
-
 /** Moments of some measurements: number, mean relative to the block centre, central moments per measurement [sigma]. */
 struct Moments
 {
@@ -84,7 +81,7 @@ double mergeError(const Moments& m)
 class Pyramid
 {
  public:
-	Pyramid(Block& block, const CellGrid& grid) : block_(block)
+	Pyramid(Block& block, const CellGrid& grid) : block_(block), tolerance_(grid.mergeTolerance() * block.weight)
 	{
 		int side = int(grid.cellsPerBlock());
 		for (; side >= int(Frame::blockEdge); side /= 2)
@@ -135,7 +132,7 @@ class Pyramid
 	{
 		const Moments& m = at(level, x, y);
 		if (!(m.n > 0)) return;
-		if (level == 0 || mergeError(m) <= tolerance * block_.weight)
+		if (level == 0 || mergeError(m) <= tolerance_)
 		{
 			appendKernel(block_, m);
 			return;
@@ -167,6 +164,7 @@ class Pyramid
 
  private:
 	Block& block_;
+	double tolerance_;
 	std::vector<Level> levels_;
 };
 }  // namespace

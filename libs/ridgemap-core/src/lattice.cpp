@@ -20,7 +20,7 @@ void checkCoordinates(const Measurement& m, std::size_t index)
 }  // namespace
 
 Lattice::Lattice(const Options& options)
-	: frame_(options.sigma), grid_(options.cell), tiles_(int(options.tileEdge / double(Frame::blockEdge)))
+	: frame_(options.sigma), grid_(options), tiles_(int(options.tileEdge / double(Frame::blockEdge)))
 {
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ridgemap/ridge_map.h>
 
+#include <algorithm>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 
 #include "chains.h"
@@ -21,11 +23,26 @@ struct RidgeMap::Impl
 		  version(o.version),
 		  lattice(o.lattice),
 		  chains(o.chains),
+		  untold(o.untold),
 		  ridges(o.ridges),
 		  walls(o.walls),
 		  ridgesMade(o.ridgesMade),
 		  wallsMade(o.wallsMade)
 	{
+	}
+
+	/** Brings the polylines up to date for a query; what happened is told by the next RidgeMap::update(). */
+	void updateForQuery()
+	{
+		untold += update(threads);
+		if (untold.regions.size() <= 64) return;
+		UpdateRegion all;
+		for (const UpdateRegion& r : untold.regions)
+		{
+			all.box.extend(r.box);
+			all.tiles += r.tiles;
+		}
+		untold.regions.assign(1, all);
 	}
 
 	UpdateResult update(unsigned threadCount)
@@ -55,6 +72,7 @@ struct RidgeMap::Impl
 	std::uint64_t version = 0;
 	Lattice lattice;
 	Chains chains;
+	UpdateResult untold;  ///< of updates that queries made
 	std::vector<Polyline> ridges, walls;
 	bool ridgesMade = false, wallsMade = false;
 	std::mutex mutex;  ///< guards everything that const queries make on demand
@@ -63,7 +81,13 @@ struct RidgeMap::Impl
 UpdateResult& UpdateResult::operator+=(const UpdateResult& o)
 {
 	regions.insert(regions.end(), o.regions.begin(), o.regions.end());
-	vanished.insert(vanished.end(), o.vanished.begin(), o.vanished.end());
+	// What appeared and vanished again in between is nobody's business.
+	const std::set<PolylineId> ours(appeared.begin(), appeared.end());
+	std::set<PolylineId> passing;
+	for (const PolylineId id : o.vanished) (ours.count(id) ? (void)passing.insert(id) : vanished.push_back(id));
+	appeared.erase(
+		std::remove_if(appeared.begin(), appeared.end(), [&](PolylineId id) { return passing.count(id) > 0; }),
+		appeared.end());
 	appeared.insert(appeared.end(), o.appeared.begin(), o.appeared.end());
 	for (std::size_t i = 0; i < stops.size(); i++) stops[i] += o.stops[i];
 	tiles += o.tiles;
@@ -108,14 +132,20 @@ void RidgeMap::erase(const std::vector<Measurement>& measurements)
 void RidgeMap::merge(const RidgeMap& other)
 {
 	impl_->requireSameOptions(*other.impl_, "merge with");
-	impl_->lattice.merge(other.impl_->lattice);
+	{
+		const std::lock_guard<std::mutex> lock(other.impl_->mutex);
+		impl_->lattice.merge(other.impl_->lattice);
+	}
 	impl_->changed();
 }
 
 void RidgeMap::subtract(const RidgeMap& other)
 {
 	impl_->requireSameOptions(*other.impl_, "subtract");
-	impl_->lattice.subtract(other.impl_->lattice);
+	{
+		const std::lock_guard<std::mutex> lock(other.impl_->mutex);
+		impl_->lattice.subtract(other.impl_->lattice);
+	}
 	impl_->changed();
 }
 
@@ -134,7 +164,10 @@ bool RidgeMap::empty() const
 UpdateResult RidgeMap::update(unsigned threads)
 {
 	const std::lock_guard<std::mutex> lock(impl_->mutex);
-	return impl_->update(threads);
+	UpdateResult result = std::move(impl_->untold);
+	impl_->untold = UpdateResult();
+	result += impl_->update(threads);
+	return result;
 }
 
 void RidgeMap::setThreads(unsigned threads)
@@ -146,7 +179,7 @@ const std::vector<Polyline>& RidgeMap::ridges() const
 {
 	Impl& m = *impl_;
 	const std::lock_guard<std::mutex> lock(m.mutex);
-	m.update(m.threads);
+	m.updateForQuery();
 	if (!m.ridgesMade)
 	{
 		m.ridges = m.chains.polylines(m.lattice.tiles(), m.lattice.frame());
@@ -184,7 +217,7 @@ OccupancySample RidgeMap::occupancy(const Point2& p) const
 {
 	Impl& m = *impl_;
 	const std::lock_guard<std::mutex> lock(m.mutex);
-	m.update(m.threads);
+	m.updateForQuery();
 	OccupancySample o;
 	if (!(std::abs(p.x) <= maxCoordinate && std::abs(p.y) <= maxCoordinate)) return o;
 	const TileStore& tiles = m.lattice.tiles();
@@ -219,6 +252,7 @@ OccupancySample RidgeMap::occupancy(const Point2& p) const
 
 Box2 RidgeMap::boundingBox() const
 {
+	const std::lock_guard<std::mutex> lock(impl_->mutex);
 	return impl_->lattice.boundingBox();
 }
 
@@ -226,7 +260,7 @@ MapStatistics RidgeMap::statistics() const
 {
 	Impl& m = *impl_;
 	const std::lock_guard<std::mutex> lock(m.mutex);
-	m.update(m.threads);
+	m.updateForQuery();
 	const TileStore& tiles = m.lattice.tiles();
 	MapStatistics s;
 	s.measurements = m.lattice.measurements();
@@ -254,10 +288,12 @@ MapStatistics RidgeMap::statistics() const
 
 std::vector<CellRecord> RidgeMap::cells() const
 {
+	const std::lock_guard<std::mutex> lock(impl_->mutex);
 	return impl_->lattice.cells();
 }
 std::vector<Point2> RidgeMap::cellCentroids() const
 {
+	const std::lock_guard<std::mutex> lock(impl_->mutex);
 	return impl_->lattice.centroids();
 }
 

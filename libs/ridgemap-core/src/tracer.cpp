@@ -273,7 +273,7 @@ bool RidgeTracer::measurementNear(const RidgePoint& r, Vec2 tangent) const
 {
 	// L >= L_tol needs a kernel within d_tol unless very many lie farther away.
 	if (field_.totalWeight() * expMinusSeries(0.5 * options_.dTol * options_.dTol) < options_.lTol) return true;
-	const double reach = options_.dTol + CellGrid(options_.cell).halfExtent();
+	const double reach = options_.dTol + CellGrid(options_).halfExtent();
 	bool near = false;
 	field_.forEachCellNear(
 		r.p, options_.dTol + supportWidth,
@@ -297,7 +297,7 @@ void RidgeTracer::trimToMeasurements(Walk& walk) const
 		first--;
 	}
 	double back = length;
-	const double extent = CellGrid(options_.cell).halfExtent();
+	const double extent = CellGrid(options_).halfExtent();
 	field_.forEachCellNear(walk.nodes.back().p, window + supportWidth,
 						   [&](Vec2 q, std::uint32_t)
 						   {

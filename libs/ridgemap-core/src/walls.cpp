@@ -103,7 +103,8 @@ class EndJoiner
 		targets_.resize(2 * lines.size());
 		for (std::size_t i = 0; i < lines.size(); i++)
 			if (!lines[i].closed)
-				for (const bool atBack : {false, true}) targetOf({int(i), atBack}) = findTarget({int(i), atBack});
+				for (const bool atBack : {false, true})
+					if (!isLed({int(i), atBack})) targetOf({int(i), atBack}) = findTarget({int(i), atBack});
 	}
 
 	std::vector<Polyline> run()
@@ -128,6 +129,13 @@ class EndJoiner
 	}
 
  private:
+	/** An earlier round has led this end to another line: its last vertex lies on no ridge. */
+	bool isLed(LineEnd e) const
+	{
+		const std::vector<VertexInfo>& info = lines_[std::size_t(e.line)].info;
+		return (e.atBack ? info.back() : info.front()).occupancy == 0;
+	}
+
 	Target& targetOf(LineEnd e) { return targets_[std::size_t(2 * e.line + e.atBack)]; }
 
 	const Point2& place(LineEnd e) const
@@ -302,7 +310,10 @@ std::vector<Polyline> pruneShort(const std::vector<Polyline>& lines, const Optio
 
 std::vector<Polyline> attachFreeEnds(const std::vector<Polyline>& lines, const Options& options)
 {
-	return EndJoiner(lines, options).run();
+	constexpr int rounds = 3;
+	std::vector<Polyline> result = lines;
+	for (int i = 0; i < rounds; i++) result = EndJoiner(result, options).run();
+	return result;
 }
 
 std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Options& options)

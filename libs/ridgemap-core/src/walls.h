@@ -18,7 +18,7 @@ std::vector<Polyline> pruneShort(const std::vector<Polyline>& lines, const Optio
 
 /** Joins free ends to what lies beside them, at most `attachDistance` sigma away: two free ends that are nearest to
  * each other are bridged, any other free end is led to the nearest point of another line (or of a distant part of its
- * own). */
+ * own). Ends that such a lead has come close to follow in further rounds. */
 std::vector<Polyline> attachFreeEnds(const std::vector<Polyline>& lines, const Options& options);
 
 /** All passes that the options ask for, in order. */

@@ -45,6 +45,7 @@ struct UpdateResult
 	std::size_t kernels = 0;  ///< kernels summed in these evaluations (lattice cells, not measurements)
 	std::size_t seeds = 0;    ///< measurements from which a ridge was looked for
 
+	/** Adds what happened next. Polylines that appeared here and vanished there are in neither list of the sum. */
 	UpdateResult& operator+=(const UpdateResult& o);
 };
 
@@ -104,7 +105,8 @@ class RidgeMap
 
 	bool empty() const;
 
-	/** Recomputes the polylines where measurements changed. Called by the queries when needed.
+	/** Recomputes the polylines where measurements changed, and tells what changed since the last call; queries update
+	 * the polylines by themselves and leave the telling to this function.
 	 * @param threads number of threads to use, at least 1; the result does not depend on it. */
 	UpdateResult update(unsigned threads = 1);
 
