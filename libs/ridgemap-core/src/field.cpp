@@ -34,8 +34,7 @@ TileField::TileField(const TileStore& store, TileKey key, const Options& options
 					nonEmpty_++;
 				}
 		}
-	for (const Block* b : blocks_)
-		if (b) totalWeight_ += b->weight;
+	reach_ = BlockMask(side_);
 }
 
 TileField::Range TileField::range(double coordinate, double radius) const
@@ -45,10 +44,22 @@ TileField::Range TileField::range(double coordinate, double radius) const
 	return {std::max(first, -halo_), std::min(last, side_ - halo_ - 1)};
 }
 
+double TileField::weightNear(Vec2 p, double radius) const
+{
+	const Range x = range(p.x, radius), y = range(p.y, radius);
+	look(x, y);
+	double sum = 0;
+	for (int by = y.first; by <= y.last; by++)
+		for (int bx = x.first; bx <= x.last; bx++)
+			if (const Block* b = block(bx, by)) sum += b->weight;
+	return sum;
+}
+
 KernelSums TileField::sample(Vec2 p) const
 {
 	const Range x = range(p.x, cutoff_), y = range(p.y, cutoff_);
 	const float reach = float(cutoff_);
+	look(x, y);
 	views_.clear();
 	for (int by = y.first; by <= y.last; by++)
 		for (int bx = x.first; bx <= x.last; bx++)

@@ -36,7 +36,18 @@ class TileField
 	static int haloBlocks(double cutoff);
 
 	/** No kernel is within reach of the tile. */
-	bool empty() const { return nonEmpty_ == 0; }
+	bool empty() const
+	{
+		if (nonEmpty_ == 0) reach_.addAll();
+		return nonEmpty_ == 0;
+	}
+	/** The blocks on which everything asked since the last call depends. */
+	BlockMask takeReach() const
+	{
+		BlockMask result = reach_;
+		reach_ = BlockMask(side_);
+		return result;
+	}
 	double tileEdge() const { return edge_; }
 	bool inDomain(Vec2 p) const
 	{
@@ -46,14 +57,15 @@ class TileField
 	/** L and its derivatives at a point of the domain. */
 	KernelSums sample(Vec2 p) const;
 
-	/** Sum of the weights of all kernels that the tile can depend on. */
-	double totalWeight() const { return totalWeight_; }
+	/** Number of measurements in the blocks that come within `radius` of p. */
+	double weightNear(Vec2 p, double radius) const;
 
 	/** Calls fn(centroid, count) for the cells in the blocks that come within `radius` of p, in canonical order. */
 	template <class Fn>
 	void forEachCellNear(Vec2 p, double radius, Fn fn) const
 	{
 		const Range x = range(p.x, radius), y = range(p.y, radius);
+		look(x, y);
 		for (int by = y.first; by <= y.last; by++)
 			for (int bx = x.first; bx <= x.last; bx++)
 			{
@@ -72,6 +84,11 @@ class TileField
 		int first, last;
 	};
 	Range range(double coordinate, double radius) const;
+	/** Notes that the result depends on these blocks, empty or not. */
+	void look(Range x, Range y) const
+	{
+		for (int by = y.first; by <= y.last; by++) reach_.add(by + halo_, x.first + halo_, x.last + halo_);
+	}
 	const Block* block(int bx, int by) const { return blocks_[std::size_t((by + halo_) * side_ + bx + halo_)]; }
 	static Vec2 centre(int bx, int by) { return {4.0 * bx + 2.0, 4.0 * by + 2.0}; }
 
@@ -81,8 +98,8 @@ class TileField
 	int side_;                          ///< blocks along one side of the neighbourhood
 	std::vector<const Block*> blocks_;  ///< row by row; nullptr where there is no kernel
 	std::size_t nonEmpty_ = 0;
-	double totalWeight_ = 0;
 	mutable std::vector<BlockView> views_;
+	mutable BlockMask reach_;
 	mutable FieldWork work_;
 };
 

@@ -97,6 +97,36 @@ struct Piece
 	}
 };
 
+/** A set of blocks in and around a tile: one word a row, lowest row first, the halo included. */
+class BlockMask
+{
+   public:
+	BlockMask() = default;
+	explicit BlockMask(int side) : rows_(std::size_t(side), 0) {}
+
+	/** Adds the blocks of columns first..last in a row, counted from the corner of the halo. */
+	void add(int row, int first, int last)
+	{
+		rows_[std::size_t(row)] |= ((std::uint64_t(2) << last) - 1) & ~((std::uint64_t(1) << first) - 1);
+	}
+	void addAll()
+	{
+		for (std::uint64_t& r : rows_) r = ~std::uint64_t(0);
+	}
+	/** True also if one of the two was never filled: then nothing is known. */
+	bool intersects(const BlockMask& o) const
+	{
+		if (rows_.empty() || o.rows_.empty()) return true;
+		for (std::size_t i = 0; i < rows_.size(); i++)
+			if (rows_[i] & o.rows_[i]) return true;
+		return false;
+	}
+	std::size_t memoryBytes() const { return rows_.capacity() * sizeof(std::uint64_t); }
+
+   private:
+	std::vector<std::uint64_t> rows_;
+};
+
 /** A square of the plane with all that belongs to it: cells and kernels, lower-left corner, lower and left border, and
  * the pieces of polyline. Everything but the cells is a pure function of the cells in and around the tile. */
 struct Tile
@@ -109,6 +139,7 @@ struct Tile
 	std::vector<PieceEnd> stubs;              ///< crossings right behind which the ridge ends, with the reason
 	std::vector<std::uint64_t> chainOfPiece;  ///< polyline that each piece belongs to, 0: none yet
 	std::uint64_t cellCount = 0;
+	BlockMask cornerReach, borderReach, traceReach;	 ///< blocks that were looked at for the corner, the borders, the pieces
 };
 
 /** All tiles of a map by their key. Tiles that hold nothing need not exist. */

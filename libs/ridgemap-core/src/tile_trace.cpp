@@ -27,6 +27,22 @@ double lengthOf(const std::vector<RidgeNode>& nodes)
 	return sum;
 }
 
+/** Box around a piece. */
+struct Bounds
+{
+	Vec2 low{1e30, 1e30}, high{-1e30, -1e30};
+
+	void extend(Vec2 p)
+	{
+		low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+		high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+	}
+	bool isNear(Vec2 p, double d) const
+	{
+		return p.x > low.x - d && p.y > low.y - d && p.x < high.x + d && p.y < high.y + d;
+	}
+};
+
 class TileTracer
 {
  public:
@@ -38,7 +54,7 @@ class TileTracer
 	TileTrace run()
 	{
 		for (TileBorder::Port& port : border_.ports()) fromCrossing(port);
-		if (!field_.empty()) fromMeasurements();
+		fromMeasurements();
 		return std::move(result_);
 	}
 
@@ -127,9 +143,13 @@ class TileTracer
 
 	bool covered(Vec2 p, double distance) const
 	{
-		for (const Piece& piece : result_.pieces)
-			for (std::size_t i = 1; i < piece.nodes.size(); i++)
-				if (footOnSegment(piece.nodes[i - 1].p, piece.nodes[i].p, p).distance < distance) return true;
+		for (std::size_t k = 0; k < result_.pieces.size(); k++)
+		{
+			if (!boxes_[k].isNear(p, distance)) continue;
+			const std::vector<RidgeNode>& nodes = result_.pieces[k].nodes;
+			for (std::size_t i = 1; i < nodes.size(); i++)
+				if (footOnSegment(nodes[i - 1].p, nodes[i].p, p).distance < distance) return true;
+		}
 		return false;
 	}
 
@@ -138,24 +158,35 @@ class TileTracer
 	{
 		const double cell = options_.cell > 0 ? options_.cell : leastCell;
 		const double density = double(n) / (cell * cell);  // measurements per sigma^2
-		for (const Piece& piece : result_.pieces)
-			for (std::size_t i = 1; i < piece.nodes.size(); i++)
+		for (std::size_t k = 0; k < result_.pieces.size(); k++)
+		{
+			if (!boxes_[k].isNear(q, shadowWidth)) continue;
+			const std::vector<RidgeNode>& nodes = result_.pieces[k].nodes;
+			for (std::size_t i = 1; i < nodes.size(); i++)
 			{
-				const RidgeNode &a = piece.nodes[i - 1], &b = piece.nodes[i];
+				const RidgeNode &a = nodes[i - 1], &b = nodes[i];
 				const double d = footOnSegment(a.p, b.p, q).distance;
 				if (d > shadowWidth) continue;
 				const double wall = double(std::min(a.info.occupancy, b.info.occupancy)) * expMinusSeries(0.5 * d * d);
 				if (density < shadowShare * wall) return true;
 			}
+		}
 		return false;
 	}
 
-	void add(Piece&& piece) { result_.pieces.push_back(std::move(piece)); }
+	void add(Piece&& piece)
+	{
+		Bounds box;
+		for (const RidgeNode& n : piece.nodes) box.extend(n.p);
+		boxes_.push_back(box);
+		result_.pieces.push_back(std::move(piece));
+	}
 
 	const TileField& field_;
 	TileBorder& border_;
 	const Options& options_;
 	TileTrace result_;
+	std::vector<Bounds> boxes_;	 ///< of the pieces
 	std::vector<Vec2> barren_;  ///< where searches ended that found no ridge
 	RidgeTracer tracer_;
 };

@@ -2,6 +2,8 @@
 #include "tile_update.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 #include <set>
 
 #include "border.h"
@@ -12,25 +14,49 @@ namespace ridgemap
 {
 namespace
 {
-/** Tiles whose field can reach one of the blocks, in canonical order. */
-std::vector<TileKey> dependentTiles(const std::vector<BlockIndex>& blocks, const TileStore& tiles,
-									const Options& options)
+/** A tile that a change may touch, and what is known of it on the way. */
+struct Work
 {
-	const int halo = TileField::haloBlocks(options.cutoff);
-	std::set<TileKey> keys;
+	TileKey key;
+	BlockMask changed;	///< blocks in and around the tile that changed
+	Tile* tile = nullptr;
+	std::unique_ptr<TileField> field;
+	std::unique_ptr<TileTrace> trace;
+	bool cornerMoved = false, bordersChanged = false;
+};
+
+/** Tiles whose field can reach one of the blocks, in canonical order. */
+std::vector<Work> dependentTiles(const std::vector<BlockIndex>& blocks, TileStore& tiles, const Options& options)
+{
+	const int halo = TileField::haloBlocks(options.cutoff), perEdge = tiles.blocksPerEdge(), side = perEdge + 2 * halo;
+	std::map<TileKey, BlockMask> masks;
 	for (const BlockIndex& b : blocks)
 	{
 		const TileKey low = tiles.tileOfBlock(b.x - halo, b.y - halo), high = tiles.tileOfBlock(b.x + halo, b.y + halo);
 		for (std::int32_t y = low.y; y <= high.y; y++)
-			for (std::int32_t x = low.x; x <= high.x; x++) keys.insert({x, y});
+			for (std::int32_t x = low.x; x <= high.x; x++)
+			{
+				BlockMask& mask = masks.try_emplace({x, y}, side).first->second;
+				const int column = int(b.x - std::int64_t(x) * perEdge) + halo;
+				mask.add(int(b.y - std::int64_t(y) * perEdge) + halo, column, column);
+			}
 	}
-	return {keys.begin(), keys.end()};
+	std::vector<Work> result;
+	for (auto& entry : masks)
+	{
+		result.emplace_back();
+		result.back().key = entry.first;
+		result.back().changed = std::move(entry.second);
+		result.back().tile = &tiles.at(entry.first);
+	}
+	return result;
 }
 
 /** Groups of tiles that touch each other, as boxes of the map frame: the update regions. */
-std::vector<UpdateRegion> findRegions(const std::vector<TileKey>& keys, const Lattice& lattice)
+std::vector<UpdateRegion> findRegions(const std::vector<Work>& works, const Lattice& lattice)
 {
-	std::set<TileKey> left(keys.begin(), keys.end());
+	std::set<TileKey> left;
+	for (const Work& w : works) left.insert(w.key);
 	std::vector<UpdateRegion> regions;
 	const double edge = lattice.tiles().tileEdge();
 	while (!left.empty())
@@ -64,59 +90,114 @@ bool isDefault(const Tile& t)
 	return t.cellCount == 0 && t.pieces.empty() && t.stubs.empty() && t.corner == Vec2{} && t.bottom.path.size() <= 2 &&
 		   t.left.path.size() <= 2 && t.bottom.crossings.empty() && t.left.crossings.empty();
 }
+
+/** The three stages of an update. Each looks only at what the stage before has finished, and is skipped where nothing
+ * changed among the blocks that it looked at the last time. */
+class TileUpdate
+{
+   public:
+	TileUpdate(TileStore& tiles, const Options& options, std::vector<Work>& works)
+		: tiles_(tiles), options_(options), works_(works)
+	{
+	}
+
+	void placeCorners(Work& w)
+	{
+		if (!w.tile->cornerReach.intersects(w.changed)) return;
+		const Vec2 corner = placeCorner(field(w), options_);
+		w.tile->cornerReach = w.field->takeReach();
+		w.cornerMoved = !(corner == w.tile->corner);
+		w.tile->corner = corner;
+	}
+
+	void layBorders(Work& w)
+	{
+		const TileKey right{w.key.x + 1, w.key.y}, above{w.key.x, w.key.y + 1};
+		const bool moved = w.cornerMoved || has(right, &Work::cornerMoved) || has(above, &Work::cornerMoved);
+		if (!moved && !w.tile->borderReach.intersects(w.changed)) return;
+		const double edge = tiles_.tileEdge();
+		Edge bottom = layEdge(field(w), w.tile->corner, Vec2{edge, 0} + cornerOf(right), options_);
+		Edge left = layEdge(field(w), w.tile->corner, Vec2{0, edge} + cornerOf(above), options_);
+		w.tile->borderReach = w.field->takeReach();
+		w.bordersChanged = !(bottom == w.tile->bottom && left == w.tile->left);
+		w.tile->bottom = std::move(bottom);
+		w.tile->left = std::move(left);
+	}
+
+	void trace(Work& w)
+	{
+		const TileKey right{w.key.x + 1, w.key.y}, above{w.key.x, w.key.y + 1};
+		const bool borders =
+			w.bordersChanged || has(right, &Work::bordersChanged) || has(above, &Work::bordersChanged);
+		if (!borders && !w.tile->traceReach.intersects(w.changed)) return;
+		TileBorder border(tiles_, w.key);
+		w.trace = std::make_unique<TileTrace>(traceTile(field(w), border, options_));
+		w.tile->traceReach = w.field->takeReach();
+	}
+
+   private:
+	const TileField& field(Work& w)
+	{
+		if (!w.field) w.field = std::make_unique<TileField>(tiles_, w.key, options_);
+		return *w.field;
+	}
+
+	bool has(TileKey key, bool Work::*flag) const
+	{
+		const auto it =
+			std::lower_bound(works_.begin(), works_.end(), key, [](const Work& w, TileKey k) { return w.key < k; });
+		return it != works_.end() && it->key == key && (*it).*flag;
+	}
+
+	Vec2 cornerOf(TileKey key) const
+	{
+		const Tile* t = tiles_.find(key);
+		return t ? t->corner : Vec2{};
+	}
+
+	TileStore& tiles_;
+	const Options& options_;
+	std::vector<Work>& works_;
+};
+
+/** Puts the new pieces of a tile in the place of the old ones. */
+void replacePieces(Work& w, UpdateResult& result, std::vector<ReplacedTile>& replaced)
+{
+	Tile& tile = *w.tile;
+	for (std::size_t r = 0; r < w.trace->stops.size(); r++) result.stops[r] += w.trace->stops[r];
+	result.tiles++;
+	result.seeds += w.trace->seeds;
+	tile.stubs = std::move(w.trace->stubs);
+	if (tile.pieces == w.trace->pieces) return;
+	replaced.push_back({w.key, tile.chainOfPiece});
+	tile.pieces = std::move(w.trace->pieces);
+	tile.chainOfPiece.assign(tile.pieces.size(), 0);
+}
 }  // namespace
 
 std::vector<ReplacedTile> updateTiles(Lattice& lattice, const Options& options, unsigned threads, UpdateResult& result)
 {
 	TileStore& tiles = lattice.tiles();
-	const std::vector<TileKey> keys = dependentTiles(lattice.refresh(), tiles, options);
-	for (const TileKey& k : keys) tiles.at(k);
-	std::vector<TileField> fields;
-	fields.reserve(keys.size());
-	for (const TileKey& k : keys) fields.emplace_back(tiles, k, options);
-
-	const auto cornerOf = [&](TileKey k)
-	{
-		const Tile* t = tiles.find(k);
-		return t ? t->corner : Vec2{};
-	};
-	parallelFor(keys.size(), threads,
-				[&](std::size_t i) { tiles.find(keys[i])->corner = placeCorner(fields[i], options); });
-	parallelFor(keys.size(), threads,
-				[&](std::size_t i)
-				{
-					const TileKey k = keys[i];
-					const double edge = tiles.tileEdge();
-					Tile& tile = *tiles.find(k);
-					tile.bottom = layEdge(fields[i], tile.corner, Vec2{edge, 0} + cornerOf({k.x + 1, k.y}), options);
-					tile.left = layEdge(fields[i], tile.corner, Vec2{0, edge} + cornerOf({k.x, k.y + 1}), options);
-				});
-	std::vector<TileTrace> traces(keys.size());
-	parallelFor(keys.size(), threads,
-				[&](std::size_t i)
-				{
-					TileBorder border(tiles, keys[i]);
-					traces[i] = traceTile(fields[i], border, options);
-				});
+	std::vector<Work> works = dependentTiles(lattice.refresh(), tiles, options);
+	TileUpdate update(tiles, options, works);
+	parallelFor(works.size(), threads, [&](std::size_t i) { update.placeCorners(works[i]); });
+	parallelFor(works.size(), threads, [&](std::size_t i) { update.layBorders(works[i]); });
+	parallelFor(works.size(), threads, [&](std::size_t i) { update.trace(works[i]); });
 
 	std::vector<ReplacedTile> replaced;
-	for (std::size_t i = 0; i < keys.size(); i++)
+	for (Work& w : works)
 	{
-		Tile& tile = *tiles.find(keys[i]);
-		for (std::size_t r = 0; r < traces[i].stops.size(); r++) result.stops[r] += traces[i].stops[r];
-		result.seeds += traces[i].seeds;
-		result.evaluations += fields[i].work().evaluations;
-		result.kernels += fields[i].work().kernels;
-		tile.stubs = std::move(traces[i].stubs);
-		if (tile.pieces == traces[i].pieces) continue;
-		replaced.push_back({keys[i], tile.chainOfPiece});
-		tile.pieces = std::move(traces[i].pieces);
-		tile.chainOfPiece.assign(tile.pieces.size(), 0);
+		if (w.field)
+		{
+			result.evaluations += w.field->work().evaluations;
+			result.kernels += w.field->work().kernels;
+		}
+		if (w.trace) replacePieces(w, result, replaced);
 	}
-	for (const TileKey& k : keys)
-		if (isDefault(*tiles.find(k))) tiles.remove(k);
-	result.tiles += keys.size();
-	result.regions = findRegions(keys, lattice);
+	works.erase(std::remove_if(works.begin(), works.end(), [](const Work& w) { return !w.field; }), works.end());
+	result.regions = findRegions(works, lattice);
+	for (const Work& w : works)
+		if (isDefault(*w.tile)) tiles.remove(w.key);
 	return replaced;
 }
 

@@ -272,7 +272,8 @@ bool RidgeTracer::onPolyline(Vec2 p, Vec2 direction) const
 bool RidgeTracer::measurementNear(const RidgePoint& r, Vec2 tangent) const
 {
 	// L >= L_tol needs a kernel within d_tol unless very many lie farther away.
-	if (field_.totalWeight() * expMinusSeries(0.5 * options_.dTol * options_.dTol) < options_.lTol) return true;
+	if (field_.weightNear(r.p, options_.cutoff) * expMinusSeries(0.5 * options_.dTol * options_.dTol) < options_.lTol)
+		return true;
 	const double reach = options_.dTol + CellGrid(options_).halfExtent();
 	bool near = false;
 	field_.forEachCellNear(
@@ -298,23 +299,26 @@ void RidgeTracer::trimToMeasurements(Walk& walk) const
 	}
 	double back = length;
 	const double extent = CellGrid(options_).halfExtent();
-	field_.forEachCellNear(walk.nodes.back().p, window + supportWidth,
-						   [&](Vec2 q, std::uint32_t)
-						   {
-							   double behind = 0, bestBehind = length, best = supportWidth;
-							   for (std::size_t i = walk.nodes.size() - 1; i > first; i--)
-							   {
-								   const SegmentFoot foot = footOnSegment(walk.nodes[i].p, walk.nodes[i - 1].p, q);
-								   const double segment = norm(walk.nodes[i].p - walk.nodes[i - 1].p);
-								   if (foot.distance < best)
-								   {
-									   best = foot.distance;
-									   bestBehind = behind + foot.t * segment;
-								   }
-								   behind += segment;
-							   }
-							   back = std::min(back, std::max(0.0, bestBehind - extent));
-						   });
+	const double reach = length + supportWidth;
+	const Vec2 tip = walk.nodes.back().p;
+	const auto visit = [&](Vec2 q, std::uint32_t)
+	{
+		if (back <= 0 || dot(q - tip, q - tip) > reach * reach) return;
+		double behind = 0, bestBehind = length, best = supportWidth;
+		for (std::size_t i = walk.nodes.size() - 1; i > first && behind < back + extent; i--)
+		{
+			const SegmentFoot foot = footOnSegment(walk.nodes[i].p, walk.nodes[i - 1].p, q);
+			const double segment = norm(walk.nodes[i].p - walk.nodes[i - 1].p);
+			if (foot.distance < best)
+			{
+				best = foot.distance;
+				bestBehind = behind + foot.t * segment;
+			}
+			behind += segment;
+		}
+		back = std::min(back, std::max(0.0, bestBehind - extent));
+	};
+	field_.forEachCellNear(tip, reach, visit);
 	if (back <= 0) return;
 	if (walk.end.reason == StopReason::unregisteredExit) walk.end.reason = StopReason::noMeasurement;
 	while (walk.nodes.size() > 1)
