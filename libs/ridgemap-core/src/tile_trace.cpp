@@ -17,7 +17,7 @@ constexpr double knownDistance = 0.2;  ///< a search that comes this close to a 
 constexpr double shadowWidth = 4;      ///< how far a ridge can outweigh measurements beside it [sigma]
 constexpr double shadowShare = 1.2;   ///< of the density of a wall beside it, above which a cell may have its own ridge
 constexpr double leastCell = 0.25;    ///< edge by which the density of uncompacted measurements is judged [sigma]
-constexpr double seedMargin = 1.5;    ///< measurements up to this far outside a tile may start ridges in it [sigma]
+constexpr double seedMargin = 0.5;    ///< measurements up to this far outside a tile may start ridges in it [sigma]
 constexpr double leastLength = 0.02;  ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
 
 double lengthOf(const std::vector<RidgeNode>& nodes)
@@ -104,8 +104,9 @@ class TileTracer
 				   std::any_of(barren_.begin(), barren_.end(), [&](Vec2 b) { return norm(p - b) < knownDistance; });
 		};
 		const std::optional<RidgePoint> seed = findRidge(field_, options_, q, known);
-		if (!seed && !covered(last, knownDistance)) barren_.push_back(last);
-		if (!seed || !border_.contains(seed->p) || covered(seed->p, knownDistance)) return;
+		const bool here = seed && border_.contains(seed->p);
+		if (!here && !covered(last, knownDistance)) barren_.push_back(last);
+		if (!here || covered(seed->p, knownDistance)) return;
 		const Vec2 tangent = seed->tangent(seed->v2);
 		RidgeTracer::Walk forward = tracer_.walk(*seed, tangent);
 		finish(forward);
@@ -186,8 +187,8 @@ class TileTracer
 	TileBorder& border_;
 	const Options& options_;
 	TileTrace result_;
-	std::vector<Bounds> boxes_;	 ///< of the pieces
-	std::vector<Vec2> barren_;  ///< where searches ended that found no ridge
+	std::vector<Bounds> boxes_;  ///< of the pieces
+	std::vector<Vec2> barren_;   ///< where searches ended that found no ridge of this tile
 	RidgeTracer tracer_;
 };
 }  // namespace

@@ -18,7 +18,7 @@ namespace
 struct Work
 {
 	TileKey key;
-	BlockMask changed;	///< blocks in and around the tile that changed
+	BlockMask changed;  ///< blocks in and around the tile that changed
 	Tile* tile = nullptr;
 	std::unique_ptr<TileField> field;
 	std::unique_ptr<TileTrace> trace;
@@ -95,7 +95,7 @@ bool isDefault(const Tile& t)
  * changed among the blocks that it looked at the last time. */
 class TileUpdate
 {
-   public:
+ public:
 	TileUpdate(TileStore& tiles, const Options& options, std::vector<Work>& works)
 		: tiles_(tiles), options_(options), works_(works)
 	{
@@ -127,15 +127,14 @@ class TileUpdate
 	void trace(Work& w)
 	{
 		const TileKey right{w.key.x + 1, w.key.y}, above{w.key.x, w.key.y + 1};
-		const bool borders =
-			w.bordersChanged || has(right, &Work::bordersChanged) || has(above, &Work::bordersChanged);
+		const bool borders = w.bordersChanged || has(right, &Work::bordersChanged) || has(above, &Work::bordersChanged);
 		if (!borders && !w.tile->traceReach.intersects(w.changed)) return;
 		TileBorder border(tiles_, w.key);
 		w.trace = std::make_unique<TileTrace>(traceTile(field(w), border, options_));
 		w.tile->traceReach = w.field->takeReach();
 	}
 
-   private:
+ private:
 	const TileField& field(Work& w)
 	{
 		if (!w.field) w.field = std::make_unique<TileField>(tiles_, w.key, options_);
