@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/core/format.h>
 #include <ridgemap/CRidgeMap2D.h>
+#include <ridgemap/simplify.h>
 
 #include <cmath>
 #include <limits>
@@ -98,6 +99,11 @@ std::shared_ptr<const PolylineIndex> CRidgeMap2D::wallIndex() const
 std::shared_ptr<const PolylineIndex> CRidgeMap2D::ridgeIndex() const
 {
 	return state_->cache.ridges([this] { return std::make_shared<const PolylineIndex>(ridges(), options().sigma); });
+}
+
+std::vector<Polyline> CRidgeMap2D::simplified(double tolerance) const
+{
+	return ridgemap::simplified(walls(), tolerance);
 }
 
 std::optional<NearestPoint> CRidgeMap2D::nearestWallPoint(const Point2& query, double maxDistance) const

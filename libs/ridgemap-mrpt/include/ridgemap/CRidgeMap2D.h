@@ -101,6 +101,9 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	const std::vector<Polyline>& ridges() const { return core().ridges(); }
 	/** Walls: ridges after pruning and attachment, for people and robots. */
 	const std::vector<Polyline>& walls() const { return core().walls(); }
+	/** The walls with as few vertices as stay within a tolerance [m] of them, junctions and ends kept: a straight wall
+	 * is two points. See ridgemap::simplified(). */
+	std::vector<Polyline> simplified(double tolerance) const;
 	/** The point of walls() nearest to a point, by a KD-tree; exact. Nothing if there is none within maxDistance or the
 	 * query is not finite. About O(log walls); the first query after a change builds the tree. */
 	std::optional<NearestPoint> nearestWallPoint(const Point2& query,
