@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "../common/user_error.h"
-#include "number_line.h"
+#include "../common/number_line.h"
 
 namespace ridgemap::apps
 {

@@ -9,7 +9,7 @@
 
 #include "../common/gz_input.h"
 #include "../common/user_error.h"
-#include "number_line.h"
+#include "../common/number_line.h"
 
 namespace ridgemap::apps
 {
