@@ -70,6 +70,7 @@ void writeFigures(JsonWriter& json, const CRidgeMap2D& map)
 {
 	const MapStatistics s = map.core().statistics();
 	json.beginObject("map");
+	json.value("frozen", map.isFrozen());
 	json.value("measurements", s.measurements);
 	json.value("cells", s.cells);
 	json.value("tiles", s.tiles);
@@ -78,7 +79,7 @@ void writeFigures(JsonWriter& json, const CRidgeMap2D& map)
 	writePolylines(json, "walls", map.walls());
 	json.value("unstitchedCrossings", s.unstitchedCrossings);
 	writeStops(json, "ends", s.stops);
-	if (const Box2 box = map.core().boundingBox(); !box.empty())
+	if (const Box2 box = map.box(); !box.empty())
 	{
 		json.beginObject("boundingBox");
 		json.value("minX", box.min.x);

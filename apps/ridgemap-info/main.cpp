@@ -26,13 +26,16 @@ void printText(const std::string& path, const CRidgeMap2D& map)
 {
 	const MapStatistics s = map.core().statistics();
 	std::printf("file          %s (%s)\n", path.c_str(), humanBytes(double(std::filesystem::file_size(path))).c_str());
-	std::printf("measurements  %llu in %zu cells\n", static_cast<unsigned long long>(s.measurements), s.cells);
+	if (map.isFrozen())
+		std::printf("frozen        polylines without measurements\n");
+	else
+		std::printf("measurements  %llu in %zu cells\n", static_cast<unsigned long long>(s.measurements), s.cells);
 	printPolylines("walls", map.walls());
 	printPolylines("ridges", map.ridges());
 	if (s.unstitchedCrossings != 0) std::printf("unstitched    %zu crossings of tile borders\n", s.unstitchedCrossings);
 	for (std::size_t i = 0; i < s.stops.size(); i++)
 		if (s.stops[i] != 0) std::printf("ends          %zu: %s\n", s.stops[i], toString(StopReason(i)));
-	if (const Box2 b = map.core().boundingBox(); !b.empty())
+	if (const Box2 b = map.box(); !b.empty())
 		std::printf("bounding box  x %.3f to %.3f m, y %.3f to %.3f m\n", b.min.x, b.max.x, b.min.y, b.max.y);
 	std::printf("memory        %s in %zu tiles\n", humanBytes(double(s.bytes)).c_str(), s.tiles);
 	const MapOptions options = map.mapOptions();

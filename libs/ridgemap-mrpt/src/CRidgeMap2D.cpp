@@ -66,6 +66,7 @@ void CRidgeMap2D::internal_clear()
 {
 	MapState& state = own(state_);
 	state.core.clear();
+	state.frozen.reset();
 	state.cache.reset();
 }
 
@@ -76,6 +77,8 @@ const RidgeMap& CRidgeMap2D::core() const
 
 std::string CRidgeMap2D::asString() const
 {
+	if (isFrozen())
+		return mrpt::format("Frozen ridge map of %zu polylines, sigma %g m", walls().size(), options().sigma);
 	const MapStatistics s = core().statistics();
 	return mrpt::format("Ridge map of %llu measurements in %zu lattice cells, sigma %g m",
 						static_cast<unsigned long long>(s.measurements), s.cells, options().sigma);
@@ -134,13 +137,13 @@ const mrpt::maps::CSimplePointsMap* CRidgeMap2D::getAsSimplePointsMap() const
 
 mrpt::math::TBoundingBoxf CRidgeMap2D::boundingBox() const
 {
-	const Box2 box = core().boundingBox();
-	if (box.empty()) return {{0, 0, 0}, {0, 0, 0}};
+	const Box2 exact = box();
+	if (exact.empty()) return {{0, 0, 0}, {0, 0, 0}};
 	// Rounded outwards, for single precision must not cut off a measurement.
 	constexpr float infinite = std::numeric_limits<float>::infinity();
 	const auto low = [](double v) { return float(v) > v ? std::nextafter(float(v), -infinite) : float(v); };
 	const auto high = [](double v) { return float(v) < v ? std::nextafter(float(v), infinite) : float(v); };
-	return {{low(box.min.x), low(box.min.y), 0}, {high(box.max.x), high(box.max.y), 0}};
+	return {{low(exact.min.x), low(exact.min.y), 0}, {high(exact.max.x), high(exact.max.y), 0}};
 }
 
 }  // namespace ridgemap

@@ -20,21 +20,27 @@ void change(std::shared_ptr<MapState>& state, Change&& apply)
 
 void CRidgeMap2D::insertMeasurements(const std::vector<Measurement>& measurements)
 {
+	throwIfFrozen("cannot insert measurements");
 	change(state_, [&](RidgeMap& map) { map.insert(measurements); });
 }
 
 void CRidgeMap2D::eraseMeasurements(const std::vector<Measurement>& measurements)
 {
+	throwIfFrozen("cannot erase measurements");
 	change(state_, [&](RidgeMap& map) { map.erase(measurements); });
 }
 
 void CRidgeMap2D::merge(const CRidgeMap2D& other)
 {
+	throwIfFrozen("cannot merge another map");
+	other.throwIfFrozen("cannot merge this map into another");
 	change(state_, [&](RidgeMap& map) { map.merge(other.core()); });
 }
 
 void CRidgeMap2D::subtract(const CRidgeMap2D& other)
 {
+	throwIfFrozen("cannot subtract another map");
+	other.throwIfFrozen("cannot subtract this map from another");
 	change(state_, [&](RidgeMap& map) { map.subtract(other.core()); });
 }
 

@@ -8,17 +8,21 @@
 
 #include "byte_stream.h"
 #include "checksum.h"
+#include "frozen_polylines.h"
 #include "map_state.h"
 #include "option_text.h"
 
 // Version 0: number of bytes (8), the bytes, their CRC-32 (4), integers little-endian. The bytes are: the three generic
 // parameters of MRPT, all options as pairs of texts, and the lattice cells in canonical order, each as differences to
 // the one before. Polylines are a pure function of these, so they are traced again when they are asked for.
+// Version 1 is a frozen map: the polylines instead of the cells, their points as differences, too, in units of 2^-20 m.
 
 namespace ridgemap
 {
 namespace
 {
+constexpr std::uint8_t frozenVersion = 1;
+
 void writeOptions(ByteWriter& out, const MapOptions& options)
 {
 	const auto keys = MapOptions::keys();
@@ -124,11 +128,36 @@ std::uint64_t contentKey(std::uint32_t crc, const std::vector<std::uint8_t>& byt
 {
 	return std::uint64_t(crc) << 32 ^ bytes.size();
 }
+
+void expectEnd(const ByteReader& in)
+{
+	if (in.left() != 0) throw std::runtime_error("stored ridge map: there are data behind the end of the map");
+}
+
+std::shared_ptr<MapState> readState(ByteReader& in, std::uint64_t key, const Options& options)
+{
+	const auto cells = readCells(in);
+	expectEnd(in);
+	if (auto living = findState(key, options, cells)) return living;
+	auto state = std::make_shared<MapState>(options);
+	state->core.insertCells(cells);
+	return state;
+}
+
+std::shared_ptr<MapState> readFrozenState(ByteReader& in, std::uint64_t key, const Options& options)
+{
+	auto lines = readFrozen(in);
+	expectEnd(in);
+	if (auto living = findFrozenState(key, options, lines)) return living;
+	auto state = std::make_shared<MapState>(options);
+	state->frozen = std::make_shared<const std::vector<Polyline>>(std::move(lines));
+	return state;
+}
 }  // namespace
 
 uint8_t CRidgeMap2D::serializeGetVersion() const
 {
-	return 0;
+	return isFrozen() ? frozenVersion : 0;
 }
 
 void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
@@ -138,7 +167,10 @@ void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 	content.byte(genericMapParams.enableObservationLikelihood);
 	content.byte(genericMapParams.enableObservationInsertion);
 	writeOptions(content, mapOptions());
-	writeCells(content, core().cells());
+	if (isFrozen())
+		writeFrozen(content, *state_->frozen);
+	else
+		writeCells(content, core().cells());
 	const auto& bytes = content.bytes();
 	writeFixed<8>(out, bytes.size());
 	out.WriteBuffer(bytes.data(), bytes.size());
@@ -149,9 +181,9 @@ void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 
 void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
 {
-	if (version != 0)
+	if (version > frozenVersion)
 		throw std::runtime_error("stored ridge map: version " + std::to_string(version) +
-								 " is newer than this library, which reads version 0");
+								 " is newer than this library, which reads versions 0 and 1");
 	const std::vector<std::uint8_t> bytes = readBytes(in, readFixed<8>(in));
 	const std::uint32_t crc = crc32(bytes.data(), bytes.size());
 	if (readFixed<4>(in) != crc)
@@ -162,12 +194,8 @@ void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t versi
 	loaded.genericMapParams.enableSaveAs3DObject = as3D;
 	loaded.genericMapParams.enableObservationLikelihood = likelihood;
 	loaded.genericMapParams.enableObservationInsertion = insertion;
-	const auto cells = readCells(content);
-	if (content.left() != 0) throw std::runtime_error("stored ridge map: there are data behind the last cell");
-	if (auto living = findState(contentKey(crc, bytes), loaded.options(), cells))
-		loaded.state_ = std::move(living);
-	else
-		loaded.state_->core.insertCells(cells);
+	loaded.state_ = version == frozenVersion ? readFrozenState(content, contentKey(crc, bytes), loaded.options())
+											 : readState(content, contentKey(crc, bytes), loaded.options());
 	swap(loaded);
 }
 

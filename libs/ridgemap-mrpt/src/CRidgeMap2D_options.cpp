@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "map_state.h"
+#include "option_text.h"
 
 namespace ridgemap
 {
@@ -46,6 +47,7 @@ void CRidgeMap2D::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::co
 	MapOptions all{creationOpts, insertionOpts, likelihoodOpts, renderOpts};
 	all.loadFromConfigFile(source, sectionNamePrefix);
 	creationOpts = all.creation;
+	file = withoutComment(source.read_string(sectionNamePrefix + "_creationOpts", "file", ""));
 	insertionOpts = all.insertion;
 	likelihoodOpts = all.likelihood;
 	renderOpts = all.render;
@@ -53,10 +55,20 @@ void CRidgeMap2D::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::co
 
 void CRidgeMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
+	if (!file.empty()) out << "file                    = " << file << "\n";
 	creationOpts.dumpToTextStream(out);
 	insertionOpts.dumpToTextStream(out);
 	likelihoodOpts.dumpToTextStream(out);
 	renderOpts.dumpToTextStream(out);
+}
+
+CRidgeMap2D* CRidgeMap2D::TMapDefinition::load() const
+{
+	auto map = std::make_unique<CRidgeMap2D>(loadRidgeMap(file));
+	map->insertionOptions = insertionOpts;
+	map->likelihoodOptions = likelihoodOpts;
+	map->renderOptions = renderOpts;
+	return map.release();
 }
 
 // A raw pointer before MRPT 2.11.3, a shared one since.
@@ -64,6 +76,7 @@ std::invoke_result_t<mrpt::maps::internal::MapCtorFromDefFunctor, const mrpt::ma
 CRidgeMap2D::internal_CreateFromMapDefinition(const mrpt::maps::TMetricMapInitializer& definition)
 {
 	const auto& d = dynamic_cast<const TMapDefinition&>(definition);
+	if (!d.file.empty()) return decltype(internal_CreateFromMapDefinition(d))(d.load());
 	using Result =
 		std::invoke_result_t<mrpt::maps::internal::MapCtorFromDefFunctor, const mrpt::maps::TMetricMapInitializer&>;
 	return Result(new CRidgeMap2D(MapOptions{d.creationOpts, d.insertionOpts, d.likelihoodOpts, d.renderOpts}));

@@ -36,11 +36,12 @@ bool setField(T& section, const std::string& key, const std::string& value)
 	return found;
 }
 
-/** The keys that MRPT itself reads from `_creationOpts`. */
-bool isGenericKey(const std::string& key)
+/** The keys of `_creationOpts` that are no options: those that MRPT itself reads, and the file to start with. */
+bool isNoOption(const std::string& key)
 {
 	const std::string k = normalizedKey(key);
-	return k == "enablesaveas3dobject" || k == "enableobservationlikelihood" || k == "enableobservationinsertion";
+	return k == "enablesaveas3dobject" || k == "enableobservationlikelihood" || k == "enableobservationinsertion" ||
+		   k == "file";
 }
 
 template <class T>
@@ -53,7 +54,7 @@ void loadSection(T& options, const mrpt::config::CConfigFileBase& source, const 
 	{
 		for (const auto& key : keys)
 		{
-			if (std::is_same_v<T, TCreationOptions> && isGenericKey(key)) continue;
+			if (std::is_same_v<T, TCreationOptions> && isNoOption(key)) continue;
 			const std::string value = withoutComment(source.read_string(section, key, ""));
 			if (!setField(loaded, key, value)) rejectKey(key, keysOf(options));
 		}

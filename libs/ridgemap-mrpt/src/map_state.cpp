@@ -6,6 +6,8 @@
 #include <map>
 #include <mutex>
 
+#include "frozen_polylines.h"
+
 namespace ridgemap
 {
 namespace
@@ -49,7 +51,7 @@ MapState& own(std::shared_ptr<MapState>& state)
 	}
 	// Pairs with the release of the last other holder, whose queries may have built polylines.
 	std::atomic_thread_fence(std::memory_order_acquire);
-	if (shared) state = std::make_shared<MapState>(state->core);
+	if (shared) state = std::make_shared<MapState>(*state);
 	return *state;
 }
 
@@ -60,15 +62,27 @@ void rememberState(std::uint64_t key, const std::shared_ptr<MapState>& state)
 	registry().states[key] = state;
 }
 
+namespace
+{
+std::shared_ptr<MapState> findByKey(std::uint64_t key, const Options& options)
+{
+	const std::lock_guard<std::mutex> lock(registry().mutex);
+	const auto it = registry().states.find(key);
+	auto found = it != registry().states.end() ? it->second.lock() : nullptr;
+	return found && found->core.options() == options ? found : nullptr;
+}
+}  // namespace
+
+std::shared_ptr<MapState> findFrozenState(std::uint64_t key, const Options& options, const std::vector<Polyline>& lines)
+{
+	auto found = findByKey(key, options);
+	return found && found->frozen && samePolylines(*found->frozen, lines) ? found : nullptr;
+}
+
 std::shared_ptr<MapState> findState(std::uint64_t key, const Options& options, const std::vector<CellRecord>& cells)
 {
-	std::shared_ptr<MapState> found;
-	{
-		const std::lock_guard<std::mutex> lock(registry().mutex);
-		const auto it = registry().states.find(key);
-		if (it != registry().states.end()) found = it->second.lock();
-	}
-	if (!found || found->core.options() != options) return nullptr;
+	auto found = findByKey(key, options);
+	if (!found || found->frozen) return nullptr;
 	const auto held = found->core.cells();
 	if (held.size() != cells.size() || !std::equal(held.begin(), held.end(), cells.begin(), sameCell)) return nullptr;
 	return found;

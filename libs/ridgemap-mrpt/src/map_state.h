@@ -18,9 +18,12 @@ namespace ridgemap
 struct MapState
 {
 	explicit MapState(const Options& options) : core(options) {}
-	explicit MapState(const RidgeMap& map) : core(map) {}
+	/** Copies the contents; what queries have built is left behind. */
+	MapState(const MapState& o) : core(o.core), frozen(o.frozen) {}
+	MapState& operator=(const MapState&) = delete;
 
-	RidgeMap core;
+	RidgeMap core;                                        ///< empty in a frozen map
+	std::shared_ptr<const std::vector<Polyline>> frozen;  ///< the polylines of a frozen map; null: not frozen
 	QueryCache cache;
 };
 
@@ -34,5 +37,9 @@ void rememberState(std::uint64_t key, const std::shared_ptr<MapState>& state);
 
 /** A living state with exactly these contents, or null. */
 std::shared_ptr<MapState> findState(std::uint64_t key, const Options& options, const std::vector<CellRecord>& cells);
+
+/** A living frozen state with exactly these polylines, or null. */
+std::shared_ptr<MapState> findFrozenState(std::uint64_t key, const Options& options,
+										  const std::vector<Polyline>& lines);
 
 }  // namespace ridgemap

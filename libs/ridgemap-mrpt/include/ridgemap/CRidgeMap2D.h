@@ -93,14 +93,31 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	void setThreads(unsigned threads);
 	/** @} */
 
+	/** @name Frozen maps
+	 * Polylines without the measurements they came from: a few kilobytes, for localisation on the robot. All queries,
+	 * likelihoods, matching, drawing and serialization work; ridges() and walls() give the same polylines. What needs
+	 * measurements (insert, erase, merge, subtract) throws std::exception that says so. clear() makes it an empty map
+	 * that takes in measurements again.
+	 * @{ */
+	/** Keeps the walls, simplified with a tolerance [m] (see simplified()) and rounded to 2^-20 m (about a micrometre),
+	 * and drops all measurements. */
+	void freeze(double tolerance = 0);
+	bool isFrozen() const;
+	/** A frozen map of given polylines, such as a building plan, rounded as by freeze(). Throws std::exception for
+	 * coordinates that are not finite or beyond +-1e9 m. */
+	static CRidgeMap2D fromPolylines(const std::vector<Polyline>& lines, const MapOptions& options = MapOptions());
+	/** @} */
+
 	/** @name Queries
 	 * @{ */
 	/** The map without MRPT: occupancy, cells, statistics. */
 	const RidgeMap& core() const;
 	/** Strict ridges: every point within eps of the true ridge. */
-	const std::vector<Polyline>& ridges() const { return core().ridges(); }
+	const std::vector<Polyline>& ridges() const;
 	/** Walls: ridges after pruning and attachment, for people and robots. */
-	const std::vector<Polyline>& walls() const { return core().walls(); }
+	const std::vector<Polyline>& walls() const;
+	/** Box around all measurements (grown by at most one lattice cell), or around the polylines of a frozen map. */
+	Box2 box() const;
 	/** The walls with as few vertices as stay within a tolerance [m] of them, junctions and ends kept: a straight wall
 	 * is two points. See ridgemap::simplified(). */
 	std::vector<Polyline> simplified(double tolerance) const;
@@ -115,7 +132,7 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 
 	/** @name Interface of CMetricMap
 	 * @{ */
-	bool isEmpty() const override { return core().empty(); }
+	bool isEmpty() const override;
 	std::string asString() const override;
 
 	/** Pairs the points of another map with their feet on the nearest walls. Gate: maxDistForCorrespondence +
@@ -143,7 +160,7 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	/** Points along the walls, at most sigma apart. Never null. Belongs to the map; valid until the map changes. */
 	const mrpt::maps::CSimplePointsMap* getAsSimplePointsMap() const override;
 
-	/** Box around all measurements (grown by at most one lattice cell), z = 0; all zero for an empty map. */
+	/** box() at z = 0; all zero for an empty map. */
 #if MRPT_VERSION >= 0x20b03
 	mrpt::math::TBoundingBoxf boundingBox() const override;
 #else
@@ -159,6 +176,11 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	/** @} */
 
 	MAP_DEFINITION_START(CRidgeMap2D)
+	/** A .ridgemap to start with (key `file` of `_creationOpts`), such as a frozen map to localise in. The creation
+	 * options are then those of the file. */
+	std::string file;
+	/** A new map from that file with the other options given here; throws as loadRidgeMap(). */
+	CRidgeMap2D* load() const;
 	TCreationOptions creationOpts;
 	TInsertionOptions insertionOpts;
 	TLikelihoodOptions likelihoodOpts;
@@ -176,6 +198,7 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	std::shared_ptr<const PolylineIndex> wallIndex() const;
 	std::shared_ptr<const PolylineIndex> ridgeIndex() const;
 	void swap(CRidgeMap2D& o);
+	void throwIfFrozen(const char* change) const;
 
 	std::shared_ptr<MapState> state_;  ///< shared with copies until one of them changes; never null
 };
