@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/core/Clock.h>
 #include <mrpt/core/bits_math.h>
-#include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/poses/CPose3DPDF.h>
 #include <mrpt/slam/CMetricMapBuilderICP.h>
 #include <mrpt/system/datetime.h>
+#include <ridgemap/CRidgePointsMap.h>
 
 #include "pose_source.h"
 
@@ -12,35 +12,31 @@ namespace ridgemap::apps
 {
 namespace
 {
-/** Every scan is matched, with all its points, and only pairs that are nearest in both directions count: on the logs
- * tried, this gives far sharper maps than the settings of MRPT's icp-slam demo, which skip scans to save time. */
+/** The settings of datasets/config/icp-slam/ridge-points.ini. */
 void setDefaults(mrpt::slam::CMetricMapBuilderICP& slam)
 {
 	auto& icp = slam.ICP_params;
-	icp.maxIterations = 200;
+	icp.maxIterations = 80;
 	icp.thresholdDist = 1;
-	icp.thresholdAng = mrpt::DEG2RAD(0.1);
-	icp.ALFA = 0.8;
-	icp.smallestThresholdDist = 0.05;
-	icp.corresponding_points_decimation = 1;
-	icp.onlyUniqueRobust = true;
+	icp.thresholdAng = mrpt::DEG2RAD(10.0);
+	icp.ALFA = 0.5;
+	icp.smallestThresholdDist = 0.10;
+	icp.corresponding_points_decimation = 2;
 
 	auto& options = slam.ICP_options;
 	options.matchAgainstTheGrid = false;
-	options.localizationLinDistance = 0;
-	options.localizationAngDistance = 0;
+	options.localizationLinDistance = 0.01;
+	options.localizationAngDistance = mrpt::DEG2RAD(0.5);
 	options.insertionLinDistance = 0.5;
-	options.insertionAngDistance = mrpt::DEG2RAD(20.0);
-	options.minICPgoodnessToAccept = 0.4;
+	options.insertionAngDistance = mrpt::DEG2RAD(15.0);
+	options.minICPgoodnessToAccept = 0.15;
 }
 
-void addPointsMap(mrpt::slam::CMetricMapBuilderICP& slam)
+void addRidgeMap(mrpt::slam::CMetricMapBuilderICP& slam, const MapOptions& options)
 {
-	mrpt::maps::CSimplePointsMap::TMapDefinition points;
-	points.insertionOpts.minDistBetweenLaserPoints = 0.05f;
-	points.insertionOpts.fuseWithExisting = false;
-	points.insertionOpts.isPlanarMap = true;
-	slam.ICP_options.mapInitializers.push_back(points);
+	CRidgePointsMap::TMapDefinition ridges;
+	ridges.options = options;
+	slam.ICP_options.mapInitializers.push_back(ridges);
 }
 
 void loadParameters(mrpt::slam::CMetricMapBuilderICP& slam, const mrpt::config::CConfigFileBase& config)
@@ -62,13 +58,13 @@ void loadParameters(mrpt::slam::CMetricMapBuilderICP& slam, const mrpt::config::
 class IcpPoses : public PoseSource
 {
  public:
-	explicit IcpPoses(const mrpt::config::CConfigFileBase* config)
+	IcpPoses(const MapOptions& map, const mrpt::config::CConfigFileBase* config)
 	{
 		slam_.setMinLoggingLevel(mrpt::system::LVL_ERROR);
 		slam_.options.alwaysInsertByClass.data.clear();
 		setDefaults(slam_);
 		if (config != nullptr) loadParameters(slam_, *config);
-		addPointsMap(slam_);
+		addRidgeMap(slam_, map);
 		slam_.initialize();
 	}
 
@@ -118,9 +114,9 @@ class IcpPoses : public PoseSource
 
 }  // namespace
 
-std::unique_ptr<PoseSource> makeIcpPoses(const mrpt::config::CConfigFileBase* config)
+std::unique_ptr<PoseSource> makeIcpPoses(const MapOptions& map, const mrpt::config::CConfigFileBase* config)
 {
-	return std::make_unique<IcpPoses>(config);
+	return std::make_unique<IcpPoses>(map, config);
 }
 
 }  // namespace ridgemap::apps

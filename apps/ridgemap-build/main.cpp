@@ -73,9 +73,10 @@ std::string titleOf(const CommandLine& c, const CRidgeMap2D& map)
 void build(const CommandLine& c, const MapSettings& settings, const EarlierMaps& maps, Outputs& outputs)
 {
 	const auto start = std::chrono::steady_clock::now();
-	const PoseChoice poses = choosePoses(c, settings);
+	PoseChoice poses = choosePoses(c, settings);
+	poses.map = chooseOptions(settings, maps);
 	const Feed feed{c.shuffleSeed, c.batch, c.threads};
-	CRidgeMap2D map(chooseOptions(settings, maps));
+	CRidgeMap2D map(poses.map);
 	map.setThreads(c.threads);
 	Progress progress(!c.quiet);
 	Builder builder(

@@ -25,8 +25,11 @@ std::string prefixOf(const std::string& section)
 	if (at == std::string::npos) return "";
 	const std::string kind = lower(section.substr(at + 1)), prefix = section.substr(0, at);
 	const bool known =
-		kind == "creationopts" || kind == "insertopts" || kind == "likelihoodopts" || kind == "renderopts";
-	return known && lower(prefix).find("ridgemap") != std::string::npos ? prefix : "";
+		kind == "creationopts" || kind == "insertopts" || kind == "likelihoodopts" || kind == "renderopts" ||
+					   kind == "matchingopts";
+	const bool ours = lower(prefix).find("ridgemap") != std::string::npos ||
+					  lower(prefix).find("ridgepoints") != std::string::npos;
+	return known && ours ? prefix : "";
 }
 
 std::string findPrefix(const mrpt::config::CConfigFileBase& config, const std::string& file)

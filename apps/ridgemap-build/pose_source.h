@@ -6,6 +6,7 @@
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3D.h>
+#include <ridgemap/map_options.h>
 
 #include <memory>
 #include <optional>
@@ -36,9 +37,9 @@ std::unique_ptr<PoseSource> makeTrackPoses(std::shared_ptr<const PoseTrack> trac
 /** Sum of the odometry increments of the actions. */
 std::unique_ptr<PoseSource> makeActionPoses();
 
-/** MRPT's ICP-SLAM with a map of points of its own, run on the way. Sections `[ICP]` and `[MappingApplication]` of an
- * icp-slam file change its parameters, where given. */
-std::unique_ptr<PoseSource> makeIcpPoses(const mrpt::config::CConfigFileBase* config);
+/** MRPT's ICP-SLAM against a ridge map of its own with these options, run on the way. Sections `[ICP]` and
+ * `[MappingApplication]` of an icp-slam file change its parameters, where given. */
+std::unique_ptr<PoseSource> makeIcpPoses(const MapOptions& map, const mrpt::config::CConfigFileBase* config);
 
 /** Seconds since 1970 of an observation. */
 double timeOf(const mrpt::obs::CObservation& observation);

@@ -96,7 +96,7 @@ std::unique_ptr<PoseSource> makePoses(const std::string& path, const PoseChoice&
 {
 	if (choice.track) return makeTrackPoses(choice.track, "pose file");
 	if (choice.odometry) return makeOdometryPoses(path);
-	return makeIcpPoses(choice.config);
+	return makeIcpPoses(choice.map, choice.config);
 }
 
 /** Reads what is stored outside of the log, where it is of use here. */

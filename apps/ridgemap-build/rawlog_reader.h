@@ -15,7 +15,8 @@ struct PoseChoice
 {
 	std::shared_ptr<const PoseTrack> track;  ///< from a file; null: not given
 	bool odometry = false;                   ///< from the odometry in the log
-	/** Otherwise from ICP-SLAM, with these parameters, if any. */
+	/** Otherwise from ICP-SLAM against a ridge map with these options, and with these parameters, if any. */
+	MapOptions map;
 	const mrpt::config::CConfigFileBase* config = nullptr;
 };
 
