@@ -27,6 +27,7 @@ CRidgeMap2D::CRidgeMap2D(const CRidgeMap2D& o)
 	  insertionOptions(o.insertionOptions),
 	  likelihoodOptions(o.likelihoodOptions),
 	  renderOptions(o.renderOptions),
+	  matchingOptions(o.matchingOptions),
 	  state_(o.state_)
 {
 	genericMapParams = o.genericMapParams;
@@ -59,6 +60,7 @@ void CRidgeMap2D::swap(CRidgeMap2D& o)
 	std::swap(insertionOptions, o.insertionOptions);
 	std::swap(likelihoodOptions, o.likelihoodOptions);
 	std::swap(renderOptions, o.renderOptions);
+	std::swap(matchingOptions, o.matchingOptions);
 	std::swap(state_, o.state_);
 }
 
@@ -119,19 +121,34 @@ std::optional<NearestPoint> CRidgeMap2D::nearestRidgePoint(const Point2& query, 
 	return ridgeIndex()->nearest(query, maxDistance);
 }
 
+std::shared_ptr<const MatchingTargets> CRidgeMap2D::matchingTargets() const
+{
+	const TMatchingOptions& o = matchingOptions;
+	const double sigma = options().sigma;
+	const TargetSettings settings{o.matchTarget, o.pointSpacing * sigma, o.fallback ? o.fallbackDistance * sigma : -1};
+	return state_->cache.targets(settings,
+								 [&]
+								 {
+									 const auto& polylines =
+										 o.matchTarget == LikelihoodTarget::walls ? walls() : ridges();
+									 const auto lone = o.fallback ? core().cellCentroids() : std::vector<Point2>();
+									 return std::make_shared<const MatchingTargets>(polylines, lone, settings);
+								 });
+}
+
 const mrpt::maps::CSimplePointsMap* CRidgeMap2D::getAsSimplePointsMap() const
 {
-	const auto index = wallIndex();
+	const auto targets = matchingTargets();
 	return state_->cache
-		.points(
-			[&]
-			{
-				auto map = std::make_shared<mrpt::maps::CSimplePointsMap>();
-				map->reserve(index->samples().size());
-				for (const auto& p : index->samples()) map->insertPointFast(float(p.x), float(p.y), 0);
-				map->mark_as_modified();
-				return map;
-			})
+		.points(targets,
+				[&]
+				{
+					auto map = std::make_shared<mrpt::maps::CSimplePointsMap>();
+					map->reserve(targets->size());
+					targets->forEachPoint([&](const Point2& p) { map->insertPointFast(float(p.x), float(p.y), 0); });
+					map->mark_as_modified();
+					return map;
+				})
 		.get();
 }
 

@@ -65,4 +65,28 @@ bool CRidgeMap2D::eraseObservation(const mrpt::obs::CObservation& obs,
 	return true;
 }
 
+bool CRidgeMap2D::reanchor(const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& oldPose,
+						   const mrpt::poses::CPose3D& newPose)
+{
+	if (!genericMapParams.enableObservationInsertion) return false;
+	const auto before = observationToMeasurements(obs, oldPose, insertionOptions);
+	const auto after = observationToMeasurements(obs, newPose, insertionOptions);
+	if (before.empty() && after.empty()) return false;
+	change(state_,
+		   [&](RidgeMap& map)
+		   {
+			   map.erase(before);
+			   try
+			   {
+				   map.insert(after);
+			   }
+			   catch (...)
+			   {
+				   map.insert(before);
+				   throw;
+			   }
+		   });
+	return true;
+}
+
 }  // namespace ridgemap

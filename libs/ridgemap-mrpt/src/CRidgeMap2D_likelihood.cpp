@@ -54,8 +54,8 @@ double CRidgeMap2D::internal_computeObservationLikelihood(const mrpt::obs::CObse
 		const Point2 u = rayDirection(*scan, i);
 		const Point2 end{sensor.x() + range * (rotation(0, 0) * u.x + rotation(0, 1) * u.y),
 						 sensor.y() + range * (rotation(1, 0) * u.x + rotation(1, 1) * u.y)};
-		const auto nearest = index->nearest(end, o.maxDistance);
-		sum += nearest ? beamLogLikelihood(nearest->distance, o) : farBeam;
+		const double d = index->distance(end, o.maxDistance);
+		sum += d < o.maxDistance ? beamLogLikelihood(d, o) : farBeam;
 	}
 	return sum;
 }

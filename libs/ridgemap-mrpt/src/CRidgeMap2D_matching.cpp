@@ -31,44 +31,63 @@ const mrpt::maps::CPointsMap& pointsToMatch(const mrpt::maps::CMetricMap* map)
 	return *points;
 }
 
-/** One pair of a local point (given in its own frame and in the map frame) and its foot on a wall. */
-mrpt::tfest::TMatchingPair makePair(std::size_t localIdx, const TPoint3D& local, const TPoint3D& global,
-									const NearestPoint& nearest)
+/** The points of the other map that take part. */
+struct ChosenPoints
 {
-	mrpt::tfest::TMatchingPair pair(uint32_t(nearest.sample), uint32_t(localIdx), float(nearest.point.x),
-									float(nearest.point.y), float(global.z), float(local.x), float(local.y),
-									float(local.z));
-	pair.errorSquareAfterTransformation = float(nearest.distance * nearest.distance);
-	return pair;
+	std::vector<std::size_t> indices;
+	std::vector<TPoint3D> points;
+};
+
+ChosenPoints choose(const mrpt::maps::CPointsMap& map, const mrpt::maps::TMatchingParams& params)
+{
+	const auto &x = map.getPointsBufferRef_x(), &y = map.getPointsBufferRef_y(), &z = map.getPointsBufferRef_z();
+	const std::size_t step = std::max<std::size_t>(1, params.decimation_other_map_points);
+	ChosenPoints chosen;
+	for (std::size_t i = params.offset_other_map_points; i < x.size(); i += step)
+	{
+		chosen.indices.push_back(i);
+		chosen.points.push_back({x[i], y[i], z[i]});
+	}
+	return chosen;
 }
 
-/** Pairs every point with its foot; `toMap` brings a point of the other map into the map frame. */
-template <class ToMap>
-void matchFeet(const PolylineIndex& walls, const mrpt::maps::CPointsMap& points, ToMap&& toMap,
-			   const mrpt::maps::TMatchingParams& params, mrpt::tfest::TMatchingPairList& pairs,
-			   mrpt::maps::TMatchingExtraResults& extra)
+/** Pairs every point that has a target within the gate. `toMap` brings a point into the map frame; its partner is the
+ * target itself, or, if so wanted, the place in the map frame to which it was brought. */
+template <class ToMap, class Gate>
+void makePairs(const MatchingTargets& targets, const ChosenPoints& chosen, ToMap&& toMap, Gate&& gate,
+			   bool partnerIsPlace, mrpt::tfest::TMatchingPairList& pairs, mrpt::maps::TMatchingExtraResults& extra)
 {
 	pairs.clear();
 	extra = mrpt::maps::TMatchingExtraResults();
-	const std::size_t step = std::max<std::size_t>(1, params.decimation_other_map_points);
-	const auto &x = points.getPointsBufferRef_x(), &y = points.getPointsBufferRef_y(),
-			   &z = points.getPointsBufferRef_z();
-	std::size_t considered = 0;
 	double sumSqr = 0;
-	for (std::size_t i = params.offset_other_map_points; i < x.size(); i += step)
+	for (std::size_t i = 0; i < chosen.points.size(); i++)
 	{
-		considered++;
-		const TPoint3D local(x[i], y[i], z[i]), global = toMap(local);
-		const double gate =
-			double(params.maxDistForCorrespondence) +
-			double(params.maxAngularDistForCorrespondence) * (global - params.angularDistPivotPoint).norm();
-		const auto nearest = walls.nearest({global.x, global.y}, gate);
-		if (!nearest) continue;
-		pairs.push_back(makePair(i, local, global, *nearest));
-		sumSqr += nearest->distance * nearest->distance;
+		const TPoint3D &local = chosen.points[i], global = toMap(local);
+		const auto target = targets.nearest({global.x, global.y}, gate(global));
+		if (!target) continue;
+		const Point2 partner = partnerIsPlace ? Point2{global.x, global.y} : target->point;
+		pairs.emplace_back(uint32_t(target->index), uint32_t(chosen.indices[i]), float(partner.x), float(partner.y),
+						   float(global.z), float(local.x), float(local.y), float(local.z));
+		pairs.back().errorSquareAfterTransformation = float(target->distance * target->distance);
+		sumSqr += target->distance * target->distance;
 	}
-	if (considered > 0) extra.correspondencesRatio = float(double(pairs.size()) / double(considered));
+	if (!chosen.points.empty()) extra.correspondencesRatio = float(double(pairs.size()) / double(chosen.points.size()));
 	extra.sumSqrDist = float(sumSqr);
+}
+
+/** The alignment of the points with the lines; see CRidgeMap2D::determineMatching2D(). */
+PlanarPose solve(const MatchingTargets& targets, const ChosenPoints& chosen, const PlanarPose& start,
+				 const MatchingGate& gate, const TMatchingOptions& options, AlignmentMemory& memory)
+{
+	std::vector<Point2> points;
+	points.reserve(chosen.points.size());
+	for (const auto& p : chosen.points) points.push_back({p.x, p.y});
+	const bool turn = options.yawStarts > 0 && gate.distance >= options.yawLeastGate &&
+					  !(options.yawFirstOnly && memory.goesOn(start, gate.distance));
+	const Alignment found = turn ? alignFromSeveralYaws(targets, points, start, gate, options)
+								 : alignToLines(targets, points, start, gate, options);
+	memory.remember(found.pose, gate.distance);
+	return found.pose;
 }
 }  // namespace
 
@@ -77,13 +96,20 @@ void CRidgeMap2D::determineMatching2D(const mrpt::maps::CMetricMap* otherMap, co
 									  const mrpt::maps::TMatchingParams& params,
 									  mrpt::maps::TMatchingExtraResults& extraResults) const
 {
-	const auto& points = pointsToMatch(otherMap);
-	mrpt::maps::TMatchingParams planar = params;
-	planar.angularDistPivotPoint.z = 0;
-	const double c = std::cos(otherMapPose.phi()), s = std::sin(otherMapPose.phi());
+	const ChosenPoints chosen = choose(pointsToMatch(otherMap), params);
+	const auto targets = matchingTargets();
+	const MatchingGate gate{params.maxDistForCorrespondence,
+							params.maxAngularDistForCorrespondence,
+							matchingOptions.maxGate,
+							{params.angularDistPivotPoint.x, params.angularDistPivotPoint.y}};
+	PlanarPose pose{otherMapPose.x(), otherMapPose.y(), otherMapPose.phi()};
+	const bool lines = matchingOptions.method == MatchingMethod::lines;
+	if (lines) pose = solve(*targets, chosen, pose, gate, matchingOptions, lastAlignment_);
+	const double c = std::cos(pose.phi), s = std::sin(pose.phi);
 	const auto toMap = [&](const TPoint3D& p)
-	{ return TPoint3D(otherMapPose.x() + c * p.x - s * p.y, otherMapPose.y() + s * p.x + c * p.y, 0); };
-	matchFeet(*wallIndex(), points, toMap, planar, correspondences, extraResults);
+	{ return TPoint3D(pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y, 0); };
+	const auto gateAt = [&](const TPoint3D& p) { return gate.at({p.x, p.y}); };
+	makePairs(*targets, chosen, toMap, gateAt, lines, correspondences, extraResults);
 }
 
 void CRidgeMap2D::determineMatching3D(const mrpt::maps::CMetricMap* otherMap, const mrpt::poses::CPose3D& otherMapPose,
@@ -91,9 +117,15 @@ void CRidgeMap2D::determineMatching3D(const mrpt::maps::CMetricMap* otherMap, co
 									  const mrpt::maps::TMatchingParams& params,
 									  mrpt::maps::TMatchingExtraResults& extraResults) const
 {
-	const auto& points = pointsToMatch(otherMap);
+	const ChosenPoints chosen = choose(pointsToMatch(otherMap), params);
 	const auto toMap = [&](const TPoint3D& p) { return otherMapPose.composePoint(p); };
-	matchFeet(*wallIndex(), points, toMap, params, correspondences, extraResults);
+	const auto gateAt = [&](const TPoint3D& p)
+	{
+		const double turned =
+			double(params.maxAngularDistForCorrespondence) * (p - params.angularDistPivotPoint).norm();
+		return std::min(double(params.maxDistForCorrespondence) + turned, matchingOptions.maxGate);
+	};
+	makePairs(*matchingTargets(), chosen, toMap, gateAt, false, correspondences, extraResults);
 }
 
 float CRidgeMap2D::compute3DMatchingRatio(const mrpt::maps::CMetricMap* otherMap,
@@ -112,7 +144,7 @@ float CRidgeMap2D::compute3DMatchingRatio(const mrpt::maps::CMetricMap* otherMap
 float CRidgeMap2D::squareDistanceToClosestCorrespondence(float x0, float y0) const
 {
 	constexpr float greatest = std::numeric_limits<float>::max();
-	const auto nearest = nearestWallPoint({x0, y0});
+	const auto nearest = matchingTargets()->nearest({x0, y0}, std::numeric_limits<double>::infinity());
 	if (!nearest) return greatest;
 	return float(std::min(nearest->distance * nearest->distance, double(greatest)));
 }

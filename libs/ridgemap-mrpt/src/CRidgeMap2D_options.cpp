@@ -27,6 +27,7 @@ MapOptions CRidgeMap2D::mapOptions() const
 	all.insertion = insertionOptions;
 	all.likelihood = likelihoodOptions;
 	all.render = renderOptions;
+	all.matching = matchingOptions;
 	return all;
 }
 
@@ -37,6 +38,7 @@ void CRidgeMap2D::setMapOptions(const MapOptions& options)
 	insertionOptions = options.insertion;
 	likelihoodOptions = options.likelihood;
 	renderOptions = options.render;
+	matchingOptions = options.matching;
 }
 
 CRidgeMap2D::TMapDefinition::TMapDefinition() = default;
@@ -44,13 +46,14 @@ CRidgeMap2D::TMapDefinition::TMapDefinition() = default;
 void CRidgeMap2D::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::config::CConfigFileBase& source,
 																  const std::string& sectionNamePrefix)
 {
-	MapOptions all{creationOpts, insertionOpts, likelihoodOpts, renderOpts};
+	MapOptions all{creationOpts, insertionOpts, likelihoodOpts, renderOpts, matchingOpts};
 	all.loadFromConfigFile(source, sectionNamePrefix);
 	creationOpts = all.creation;
 	file = withoutComment(source.read_string(sectionNamePrefix + "_creationOpts", "file", ""));
 	insertionOpts = all.insertion;
 	likelihoodOpts = all.likelihood;
 	renderOpts = all.render;
+	matchingOpts = all.matching;
 }
 
 void CRidgeMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
@@ -60,6 +63,7 @@ void CRidgeMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& ou
 	insertionOpts.dumpToTextStream(out);
 	likelihoodOpts.dumpToTextStream(out);
 	renderOpts.dumpToTextStream(out);
+	matchingOpts.dumpToTextStream(out);
 }
 
 CRidgeMap2D* CRidgeMap2D::TMapDefinition::load() const
@@ -79,7 +83,8 @@ CRidgeMap2D::internal_CreateFromMapDefinition(const mrpt::maps::TMetricMapInitia
 	if (!d.file.empty()) return decltype(internal_CreateFromMapDefinition(d))(d.load());
 	using Result =
 		std::invoke_result_t<mrpt::maps::internal::MapCtorFromDefFunctor, const mrpt::maps::TMetricMapInitializer&>;
-	return Result(new CRidgeMap2D(MapOptions{d.creationOpts, d.insertionOpts, d.likelihoodOpts, d.renderOpts}));
+	return Result(
+		new CRidgeMap2D(MapOptions{d.creationOpts, d.insertionOpts, d.likelihoodOpts, d.renderOpts, d.matchingOpts}));
 }
 
 }  // namespace ridgemap

@@ -126,6 +126,11 @@ void TRenderOptions::validate() const
 	validateSection(*this);
 }
 
+void TMatchingOptions::validate() const
+{
+	validateSection(*this);
+}
+
 #define RIDGEMAP_LOADABLE(T)                                                                            \
 	void T::loadFromConfigFile(const mrpt::config::CConfigFileBase& source, const std::string& section) \
 	{                                                                                                   \
@@ -144,6 +149,7 @@ RIDGEMAP_LOADABLE(TCreationOptions)
 RIDGEMAP_LOADABLE(TInsertionOptions)
 RIDGEMAP_LOADABLE(TLikelihoodOptions)
 RIDGEMAP_LOADABLE(TRenderOptions)
+RIDGEMAP_LOADABLE(TMatchingOptions)
 #undef RIDGEMAP_LOADABLE
 
 void MapOptions::validate() const
@@ -203,7 +209,7 @@ void MapOptions::loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
 		if (n.compare(0, prefix.size(), prefix) == 0 && std::none_of(known.begin(), known.end(), same))
 			throw std::invalid_argument(
 				"a ridge map has no section [" + name +
-				"]; the endings are _creationOpts, _insertOpts, _likelihoodOpts and _renderOpts");
+				"]; the endings are _creationOpts, _insertOpts, _likelihoodOpts, _renderOpts and _matchingOpts");
 	}
 	*this = loaded;
 }

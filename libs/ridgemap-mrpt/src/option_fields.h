@@ -37,6 +37,11 @@ struct Words<LikelihoodTarget>
 {
 	static constexpr std::array<const char*, 2> names{"ridges", "walls"};
 };
+template <>
+struct Words<MatchingMethod>
+{
+	static constexpr std::array<const char*, 2> names{"lines", "feet"};
+};
 
 /** Calls visit(info, field) for every field; `o` may be const. The ranges of the creation options are those that
  * Options::validate() enforces. */
@@ -107,6 +112,30 @@ void visitFields(const TRenderOptions*, O& o, V&& visit)
 	visit(FieldInfo{"pointSize", "pixels", "size of the points", 0.1, 100}, o.pointSize);
 }
 
+template <class O, class V>
+void visitFields(const TMatchingOptions*, O& o, V&& visit)
+{
+	visit(FieldInfo{"method", "", "align with lines inside, or pair with feet"}, o.method);
+	visit(FieldInfo{"matchTarget", "", "which polylines scans are matched with"}, o.matchTarget);
+	visit(FieldInfo{"pointSpacing", "sigma", "greatest distance of points along polylines", 0.1, 100}, o.pointSpacing);
+	visit(FieldInfo{"fallback", "", "measurements without a polyline near are targets, too"}, o.fallback);
+	visit(FieldInfo{"fallbackDistance", "sigma", "nearer to a polyline than this they are not", 0, 100},
+		  o.fallbackDistance);
+	visit(FieldInfo{"maxGate", "m", "no pair is farther apart, whatever the program allows", 1e-3, 1e3}, o.maxGate);
+	visit(FieldInfo{"robustShare", "", "scale of the robust weights, as a share of the distance the program allows",
+					1e-3, 100},
+		  o.robustShare);
+	visit(FieldInfo{"robustLeast", "m", "least scale of the robust weights", 1e-4, 100}, o.robustLeast);
+	visit(FieldInfo{"solverIterations", "", "most steps of one solution", 1, 1000}, o.solverIterations);
+	visit(FieldInfo{"yawStarts", "", "further starts on each side, turned about the sensor; 0: none", 0, 90},
+		  o.yawStarts);
+	visit(FieldInfo{"yawStep", "deg", "turn from one start to the next", 0.1, 90}, o.yawStep);
+	visit(FieldInfo{"yawLeastGate", "m", "further starts only while the program allows at least this distance", 0, 1e3},
+		  o.yawLeastGate);
+	visit(FieldInfo{"yawMargin", "", "share of its score by which another start must win", 0, 10}, o.yawMargin);
+	visit(FieldInfo{"yawFirstOnly", "", "further starts only on the first call of an alignment"}, o.yawFirstOnly);
+}
+
 /** visitFields() for the table that belongs to the type of `o`. */
 template <class O, class V>
 void forEachField(O& o, V&& visit)
@@ -114,7 +143,7 @@ void forEachField(O& o, V&& visit)
 	visitFields(static_cast<const std::remove_const_t<O>*>(nullptr), o, visit);
 }
 
-/** Calls visit(suffix, section) for the four sections of `options` (const or not), with their INI suffixes. */
+/** Calls visit(suffix, section) for the five sections of `options` (const or not), with their INI suffixes. */
 template <class M, class V>
 void forEachSection(M& options, V&& visit)
 {
@@ -122,6 +151,7 @@ void forEachSection(M& options, V&& visit)
 	visit("insertOpts", options.insertion);
 	visit("likelihoodOpts", options.likelihood);
 	visit("renderOpts", options.render);
+	visit("matchingOpts", options.matching);
 }
 
 }  // namespace ridgemap

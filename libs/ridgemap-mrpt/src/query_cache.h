@@ -2,6 +2,7 @@
 #pragma once
 
 #include <mrpt/maps/CSimplePointsMap.h>
+#include <ridgemap/point_to_line_matching.h>
 #include <ridgemap/polyline_index.h>
 
 #include <memory>
@@ -9,48 +10,61 @@
 
 namespace ridgemap
 {
-/** What const queries of a map have built, guarded by a mutex. */
+/** What const queries of a map have built, guarded by mutexes. */
 class QueryCache
 {
  public:
 	/** To be called by every function that changes the map. */
 	void reset()
 	{
-		const std::lock_guard<std::mutex> lock(mutex_);
+		const std::scoped_lock lock(mutex_, targetMutex_);
 		walls_.reset();
 		ridges_.reset();
+		targets_.reset();
 		points_.reset();
+		pointsOf_.reset();
 	}
 
 	template <class Build>
 	std::shared_ptr<const PolylineIndex> walls(Build&& build)
 	{
-		return get(walls_, build);
+		const std::lock_guard<std::mutex> lock(mutex_);
+		if (!walls_) walls_ = build();
+		return walls_;
 	}
 
 	template <class Build>
 	std::shared_ptr<const PolylineIndex> ridges(Build&& build)
 	{
-		return get(ridges_, build);
+		const std::lock_guard<std::mutex> lock(mutex_);
+		if (!ridges_) ridges_ = build();
+		return ridges_;
 	}
 
+	/** Maps with other settings may share this cache: the targets are those of the last one that asked. */
 	template <class Build>
-	std::shared_ptr<const mrpt::maps::CSimplePointsMap> points(Build&& build)
+	std::shared_ptr<const MatchingTargets> targets(const TargetSettings& settings, Build&& build)
 	{
-		return get(points_, build);
+		const std::lock_guard<std::mutex> lock(targetMutex_);
+		if (!targets_ || !(targets_->settings() == settings)) targets_ = build();
+		return targets_;
+	}
+
+	/** The targets as a map of points. */
+	template <class Build>
+	std::shared_ptr<const mrpt::maps::CSimplePointsMap> points(const std::shared_ptr<const MatchingTargets>& targets,
+															   Build&& build)
+	{
+		const std::lock_guard<std::mutex> lock(mutex_);
+		if (!points_ || pointsOf_ != targets) points_ = build();
+		pointsOf_ = targets;
+		return points_;
 	}
 
  private:
-	template <class T, class Build>
-	std::shared_ptr<const T> get(std::shared_ptr<const T>& slot, Build&& build)
-	{
-		const std::lock_guard<std::mutex> lock(mutex_);
-		if (!slot) slot = build();
-		return slot;
-	}
-
-	std::mutex mutex_;
+	std::mutex mutex_, targetMutex_;
 	std::shared_ptr<const PolylineIndex> walls_, ridges_;
+	std::shared_ptr<const MatchingTargets> targets_, pointsOf_;
 	std::shared_ptr<const mrpt::maps::CSimplePointsMap> points_;
 };
 

@@ -6,6 +6,7 @@
 #include <mrpt/math/TBoundingBox.h>
 #include <mrpt/version.h>
 #include <ridgemap/map_options.h>
+#include <ridgemap/point_to_line_matching.h>
 #include <ridgemap/polyline_index.h>
 #include <ridgemap/ridge_map.h>
 
@@ -28,7 +29,8 @@ void registerMapClasses();
 /** A map of surfaces as polylines on the ridges of a continuous occupancy, as one of MRPT's metric maps.
  *
  * In INI files of MRPT programs it is called `ridgeMap`: `ridgeMap_count = 1`, and the sections
- * `<map>_ridgeMap_00_creationOpts`, `_insertOpts`, `_likelihoodOpts` and `_renderOpts`; see MapOptions and
+ * `<map>_ridgeMap_00_creationOpts`, `_insertOpts`, `_likelihoodOpts`, `_renderOpts` and
+ * `_matchingOpts`; see MapOptions and
  * defaultIniText(). Coordinates are metres in the map frame, in double precision.
  *
  * The polylines are a pure function of the multiset of measurements and the options. They are brought up to date by the
@@ -61,6 +63,7 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	TInsertionOptions insertionOptions;
 	TLikelihoodOptions likelihoodOptions;
 	TRenderOptions renderOptions;
+	TMatchingOptions matchingOptions;
 
 	/** The parameters of the algorithm. */
 	const Options& options() const { return core().options(); }
@@ -83,6 +86,10 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	 * std::exception if the map does not hold its measurements, with the map as before. */
 	bool eraseObservation(const mrpt::obs::CObservation& obs,
 						  const std::optional<const mrpt::poses::CPose3D>& robotPose = std::nullopt);
+	/** Moves an observation that was inserted at oldPose to newPose: the map is then what it would be had it been
+	 * inserted there, to the bit. Returns and throws as eraseObservation(). */
+	bool reanchor(const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& oldPose,
+				  const mrpt::poses::CPose3D& newPose);
 	/** Adds all measurements of another map with equal Options; errors as in RidgeMap::merge(). */
 	void merge(const CRidgeMap2D& other);
 	/** Takes out all measurements of another map; errors as in RidgeMap::subtract(). */
@@ -135,10 +142,18 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	bool isEmpty() const override;
 	std::string asString() const override;
 
-	/** Pairs the points of another map with their feet on the nearest walls. Gate: maxDistForCorrespondence +
-	 * maxAngularDistForCorrespondence times the distance to angularDistPivotPoint. `globalIdx` is the index of the
-	 * point of getAsSimplePointsMap() nearest to the foot on its segment. onlyUniqueRobust has no meaning for feet and
-	 * is ignored. Throws std::exception if the other map has no points map. */
+	/** Pairs the points of another map with the map. Gate: maxDistForCorrespondence + maxAngularDistForCorrespondence
+	 * times the distance to angularDistPivotPoint, at most matchingOptions.maxGate.
+	 *
+	 * With MatchingMethod::lines the alignment with the lines of the polylines is solved here, and the partner of a
+	 * point is the place to which that brings it: the least squares of MRPT's classic ICP then find the same alignment
+	 * (Levenberg-Marquardt needs MatchingMethod::feet). With MatchingMethod::feet it is the foot on the polyline.
+	 * Errors and ratio are those of true feet. `globalIdx` is the index of the point of getAsSimplePointsMap() nearest
+	 * to the foot along its polyline. onlyUniqueRobust has no meaning for feet and is ignored. Throws std::exception if
+	 * the other map has no points map.
+	 *
+	 * A call that starts where the one before ended, with a gate that is no wider, is taken for the next one of the
+	 * same alignment; see TMatchingOptions::yawFirstOnly. */
 	void determineMatching2D(const mrpt::maps::CMetricMap* otherMap, const mrpt::poses::CPose2D& otherMapPose,
 							 mrpt::tfest::TMatchingPairList& correspondences, const mrpt::maps::TMatchingParams& params,
 							 mrpt::maps::TMatchingExtraResults& extraResults) const override;
@@ -153,11 +168,12 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	float compute3DMatchingRatio(const mrpt::maps::CMetricMap* otherMap, const mrpt::poses::CPose3D& otherMapPose,
 								 const mrpt::maps::TMatchingRatioParams& params) const override;
 
-	/** Square of the distance to the nearest wall [m^2]; the greatest float for an empty map or a query that is not
-	 * finite. */
+	/** Square of the distance to the nearest target of matching [m^2]; the greatest float for an empty map or a query
+	 * that is not finite. */
 	float squareDistanceToClosestCorrespondence(float x0, float y0) const override;
 
-	/** Points along the walls, at most sigma apart. Never null. Belongs to the map; valid until the map changes. */
+	/** The targets of matching as points: along the polylines, evenly, and the lone measurements (see
+	 * TMatchingOptions). Never null. Belongs to the map; valid until the map changes. */
 	const mrpt::maps::CSimplePointsMap* getAsSimplePointsMap() const override;
 
 	/** box() at z = 0; all zero for an empty map. */
@@ -185,6 +201,7 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	TInsertionOptions insertionOpts;
 	TLikelihoodOptions likelihoodOpts;
 	TRenderOptions renderOpts;
+	TMatchingOptions matchingOpts;
 	MAP_DEFINITION_END(CRidgeMap2D)
 
  private:
@@ -197,9 +214,11 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 
 	std::shared_ptr<const PolylineIndex> wallIndex() const;
 	std::shared_ptr<const PolylineIndex> ridgeIndex() const;
+	std::shared_ptr<const MatchingTargets> matchingTargets() const;
 	void swap(CRidgeMap2D& o);
 	void throwIfFrozen(const char* change) const;
 
+	mutable AlignmentMemory lastAlignment_;
 	std::shared_ptr<MapState> state_;  ///< shared with copies until one of them changes; never null
 };
 

@@ -88,6 +88,38 @@ struct TRenderOptions : public mrpt::config::CLoadableOptions
 	void dumpToTextStream(std::ostream& out) const override;
 };
 
+/** How a scan is brought onto the map by determineMatching2D(). */
+enum class MatchingMethod : std::uint8_t
+{
+	lines = 0,  ///< the alignment with the lines of the polylines is solved inside, and returned as pairs (default)
+	feet = 1    ///< every point is paired with its foot on the nearest polyline
+};
+
+/** Section `_matchingOpts`: what a scan is matched with, and how. See point_to_line_matching.h for the formulas. */
+struct TMatchingOptions : public mrpt::config::CLoadableOptions
+{
+	MatchingMethod method = MatchingMethod::lines;           ///< how
+	LikelihoodTarget matchTarget = LikelihoodTarget::walls;  ///< which polylines
+	double pointSpacing = 1;                                 ///< greatest distance of points along polylines [sigma]
+	bool fallback = true;                                    ///< measurements without a polyline near are targets, too
+	double fallbackDistance = 1.5;                           ///< nearer to a polyline than this they are not [sigma]
+	double maxGate = 2;              ///< no pair is farther apart, whatever the program allows [m]
+	double robustShare = 0.33;       ///< scale of the robust weights, as a share of the distance the program allows
+	double robustLeast = 0.1;        ///< least scale of the robust weights [m]
+	unsigned solverIterations = 20;  ///< most steps of one solution
+	unsigned yawStarts = 3;          ///< further starts on each side, turned about the sensor; 0: none
+	double yawStep = 8;              ///< turn from one start to the next [deg]
+	double yawLeastGate = 1;         ///< further starts only while the program allows at least this distance [m]
+	double yawMargin = 0.05;         ///< share of its score by which another start must win
+	bool yawFirstOnly = true;        ///< further starts only on the first call of an alignment
+
+	/** Throws std::invalid_argument with name, value and range of the first field that is off. */
+	void validate() const;
+	void loadFromConfigFile(const mrpt::config::CConfigFileBase& source, const std::string& section) override;
+	void saveToConfigFile(mrpt::config::CConfigFileBase& target, const std::string& section) const override;
+	void dumpToTextStream(std::ostream& out) const override;
+};
+
 /** All options of a CRidgeMap2D: one INI section each, `<prefix>_creationOpts` and so on. */
 struct MapOptions
 {
@@ -95,18 +127,19 @@ struct MapOptions
 	TInsertionOptions insertion;
 	TLikelihoodOptions likelihood;
 	TRenderOptions render;
+	TMatchingOptions matching;
 
 	/** Throws std::exception with name, value and range of the first field that is off. */
 	void validate() const;
 
-	/** Loads the four sections; missing sections and keys leave the present values. Throws as their own loaders do; all
+	/** Loads the five sections; missing sections and keys leave the present values. Throws as their own loaders do; all
 	 * options are then as before. */
 	void loadFromConfigFile(const mrpt::config::CConfigFileBase& source, const std::string& sectionPrefix);
 
-	/** Writes the four sections with comments. */
+	/** Writes the five sections with comments. */
 	void saveToConfigFile(mrpt::config::CConfigFileBase& target, const std::string& sectionPrefix) const;
 
-	/** The four sections as the text of a commented INI file. */
+	/** The five sections as the text of a commented INI file. */
 	std::string toIniText(const std::string& sectionPrefix) const;
 
 	/** Sets one option by its key (case and underscores do not matter: `L_tol` is `lTol`). Throws std::invalid_argument

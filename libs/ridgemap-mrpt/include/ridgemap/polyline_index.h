@@ -6,6 +6,8 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -18,25 +20,32 @@ struct NearestPoint
 	double distance = 0;       ///< from the query to the foot [m]
 	std::size_t polyline = 0;  ///< index of the polyline
 	std::size_t segment = 0;   ///< the foot lies between points[segment] and points[segment + 1]
-	std::size_t sample = 0;    ///< index of the nearest of samples() on that segment
+	std::size_t sample = 0;    ///< index of the nearest of samples(), along the polyline
+	Point2 direction;          ///< of the segment, unit length; zero for a point
 };
 
-/** Finds the nearest point on polylines: MRPT's KD-tree over an even sampling, then exact feet on the segments.
+/** Finds the nearest point on polylines: rings of buckets around the query, or MRPT's KD-tree over an even sampling
+ * where the polylines are far away, then exact feet on the segments.
  *
- * Immutable once built, so safe for several threads. Exact for every finite query: the samples only choose which
- * segments are looked at. */
+ * Immutable to its users, so safe for several threads. Exact for every finite query: buckets and samples only choose
+ * which segments are looked at. */
 class PolylineIndex
 {
  public:
-	/** Builds the tree; O(n log n) in the samples.
-	 * @param spacing greatest distance between neighbouring samples of a segment [m], > 0. */
+	/** O(n) in samples and segments; the KD-tree is built by the first query that needs it, O(n log n).
+	 * @param spacing greatest distance between neighbouring samples along a polyline [m], > 0. */
 	PolylineIndex(const std::vector<Polyline>& polylines, double spacing);
+	/** The same for points: each is a polyline, a segment and a sample of its own. */
+	PolylineIndex(double spacing, const std::vector<Point2>& points);
 
 	/** The nearest point; nothing if there is none within maxDistance, or the query is not finite. */
 	std::optional<NearestPoint> nearest(const Point2& query,
 										double maxDistance = std::numeric_limits<double>::infinity()) const;
 
-	/** The sampling: the middle of each of the equal parts of a segment, in the order of the polylines. */
+	/** Distance to the nearest point, capped at maxDistance; maxDistance for a query that is not finite. */
+	double distance(const Point2& query, double maxDistance) const;
+
+	/** The sampling: the middle of each of the equal parts of a polyline, in the order of the polylines. */
 	const std::vector<Point2>& samples() const { return samples_; }
 
  private:
@@ -58,21 +67,47 @@ class PolylineIndex
 	{
 		Point2 a, b;
 		std::uint32_t polyline, segment;
-		std::uint32_t firstSample, sampleCount;
+		std::uint32_t firstSample, sampleCount;  ///< of the polyline
+		double firstPart, parts;                 ///< where the segment begins, and how long it is, counted in parts
+	};
+	struct Candidate
+	{
+		double distanceSqr = std::numeric_limits<double>::infinity();
+		std::size_t segment = std::numeric_limits<std::size_t>::max();
+	};
+	/** Bound on the distances that matter, and whether the search has found all that lie within it. */
+	enum class Search
+	{
+		complete,
+		tooFar
 	};
 
-	void addSegment(const Point2& a, const Point2& b, std::uint32_t polyline, std::uint32_t segment, double spacing);
-	void consider(std::size_t segment, const Point2& query, double& bestSqr, std::size_t& best) const;
-	NearestPoint describe(std::size_t segment, const Point2& query) const;
-	std::size_t exhaustive(const Point2& query, double& bestSqr) const;
+	void addPolyline(const Polyline& polyline, std::uint32_t number, double spacing);
+	void fillBuckets(double spacing);
+	template <class Visit>
+	void forEachBucket(const Segment& s, Visit&& visit) const;
+	void consider(std::size_t segment, const Point2& query, Candidate& best) const;
+	NearestPoint describe(const Candidate& best, const Point2& query) const;
+	Search searchBuckets(const Point2& query, double maxDistance, Candidate& best) const;
+	void searchTree(const Point2& query, double maxDistance, Candidate& best) const;
+	Candidate search(const Point2& query, double maxDistance) const;
+	void buildTree() const;
 
 	std::vector<Segment> segments_;
 	std::vector<Point2> samples_;
 	std::vector<std::uint32_t> sampleSegment_;  ///< segment of each sample
-	SampleTree tree_;
-	Point2 origin_;           ///< keeps the single-precision tree accurate far from the origin of the map
-	double extent_ = 0;       ///< greatest coordinate of a sample relative to origin_ [m]
-	double halfSpacing_ = 0;  ///< no point of a segment is farther than this from its nearest sample [m]
+	double halfSpacing_ = 0;  ///< no point of a segment is farther than this from a sample of its segment's part [m]
+
+	Point2 corner_;                   ///< lower left of the buckets [m]
+	double edge_ = 1, perMetre_ = 1;  ///< of a bucket [m], and 1/edge
+	std::int64_t columns_ = 0, rows_ = 0;
+	std::vector<std::uint32_t> bucketBegin_;  ///< bucket i holds bucketSegments_[begin[i]] .. [begin[i+1]]
+	std::vector<std::uint32_t> bucketSegments_;
+
+	mutable std::once_flag treeBuilt_;
+	mutable SampleTree tree_;
+	mutable Point2 origin_;      ///< keeps the single-precision tree accurate far from the origin of the map
+	mutable double extent_ = 0;  ///< greatest coordinate of a sample relative to origin_ [m]
 };
 
 }  // namespace ridgemap

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ridgemap/map_options.h>
+#include <ridgemap/polyline_index.h>
+
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace ridgemap
+{
+/** What decides which targets a map offers. */
+struct TargetSettings
+{
+	LikelihoodTarget polylines = LikelihoodTarget::walls;  ///< which polylines
+	double spacing = 0.05;                                 ///< greatest distance of points along them [m]
+	double loneDistance = -1;  ///< measurements farther than this from the polylines are targets [m]; < 0: none
+
+	bool operator==(const TargetSettings& o) const
+	{
+		return polylines == o.polylines && spacing == o.spacing && loneDistance == o.loneDistance;
+	}
+};
+
+/** What scans are matched with: polylines, and measurements where there is no polyline. Immutable once built. */
+class MatchingTargets
+{
+ public:
+	/** O(n) in both. @param measurements those far from all polylines become targets. */
+	MatchingTargets(const std::vector<Polyline>& polylines, const std::vector<Point2>& measurements,
+					const TargetSettings& settings);
+
+	struct Target
+	{
+		Point2 point;           ///< the foot on the polyline, or the measurement [m]
+		double distance = 0;    ///< from the query [m]
+		std::size_t index = 0;  ///< number of the nearest point, as forEachPoint() gives them
+		bool lone = false;      ///< a measurement
+		Point2 normal;          ///< of the polyline's segment, unit length; zero for a measurement
+	};
+
+	/** The nearest target; nothing if there is none within maxDistance or the query is not finite. */
+	std::optional<Target> nearest(const Point2& query, double maxDistance) const;
+
+	std::size_t size() const { return lines_.samples().size() + lone_.samples().size(); }
+	/** Even points along the polylines, then the measurements. */
+	template <class Visit>
+	void forEachPoint(Visit&& visit) const
+	{
+		for (const auto* index : {&lines_, &lone_})
+			for (const auto& p : index->samples()) visit(p);
+	}
+	const TargetSettings& settings() const { return settings_; }
+
+ private:
+	PolylineIndex lines_, lone_;
+	TargetSettings settings_;
+};
+
+/** A pose in the plane [m, rad]. */
+struct PlanarPose
+{
+	double x = 0, y = 0, phi = 0;
+
+	Point2 operator*(const Point2& p) const;
+};
+
+/** Which pairs are allowed: distance + angular * (distance to the pivot), at most `greatest`. */
+struct MatchingGate
+{
+	double distance = 1;  ///< [m]
+	double angular = 0;   ///< [m/m]
+	double greatest = 2;  ///< [m]
+	Point2 pivot;         ///< map frame [m]
+
+	double at(const Point2& p) const;
+};
+
+/** Outcome of alignToLines(). */
+struct Alignment
+{
+	PlanarPose pose;
+	double score = 0;        ///< sum of 1/(1 + (d/0.1 m)^2) over points nearer than 0.5 m to a target
+	unsigned steps = 0;      ///< of the solver
+	bool converged = false;  ///< the last step was below 1e-6 m
+};
+
+/** Moves points, given in their own frame, so that they come to lie on the lines of the targets: Gauss-Newton from one
+ * start. Each step pairs every point with its nearest target within the gate, and minimises the distances along the
+ * directions to the feet with weights 1/(1 + (r/c)^2)^2, c = max(robustLeast, robustShare * gate.distance); a lone
+ * measurement counts in both directions. Starved or degenerate directions are left as they are. */
+Alignment alignToLines(const MatchingTargets& targets, const std::vector<Point2>& points, const PlanarPose& start,
+					   const MatchingGate& gate, const TMatchingOptions& options);
+
+/** The same from several starts, turned by multiples of options.yawStep: the start at 0 counts unless another one ends
+ * with a score greater by yawMargin. */
+Alignment alignFromSeveralYaws(const MatchingTargets& targets, const std::vector<Point2>& points,
+							   const PlanarPose& start, const MatchingGate& gate, const TMatchingOptions& options);
+
+/** Tells the first call of an alignment from those that follow. Thread-safe; copies start afresh. */
+class AlignmentMemory
+{
+ public:
+	AlignmentMemory() = default;
+	AlignmentMemory(const AlignmentMemory&) {}
+	AlignmentMemory& operator=(const AlignmentMemory&) { return *this; }
+
+	/** Whether a call with this start goes on where the last one ended. */
+	bool goesOn(const PlanarPose& start, double gate) const;
+	void remember(const PlanarPose& end, double gate);
+
+ private:
+	mutable std::mutex mutex_;
+	PlanarPose end_;
+	double gate_ = -1;
+};
+
+}  // namespace ridgemap
