@@ -43,7 +43,7 @@ class CellGrid
  public:
 	explicit CellGrid(const Options& o)
 		: edge_(o.cell > 0 ? std::int64_t(o.cell * double(Frame::quantaPerSigma)) : 1),
-		  mergeTolerance_(1.5e-3 * std::min(0.02, o.effectiveEps() / o.sigma) *
+		  mergeTolerance_(0.8e-3 * std::min(0.02, o.effectiveEps() / o.sigma) *
 						  std::min(1.0, 64 * o.cell * o.cell * o.cell))
 	{
 	}

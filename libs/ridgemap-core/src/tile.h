@@ -100,7 +100,7 @@ struct Piece
 /** A set of blocks in and around a tile: one word a row, lowest row first, the halo included. */
 class BlockMask
 {
-   public:
+ public:
 	BlockMask() = default;
 	explicit BlockMask(int side) : rows_(std::size_t(side), 0) {}
 
@@ -123,7 +123,7 @@ class BlockMask
 	}
 	std::size_t memoryBytes() const { return rows_.capacity() * sizeof(std::uint64_t); }
 
-   private:
+ private:
 	std::vector<std::uint64_t> rows_;
 };
 
@@ -139,7 +139,8 @@ struct Tile
 	std::vector<PieceEnd> stubs;              ///< crossings right behind which the ridge ends, with the reason
 	std::vector<std::uint64_t> chainOfPiece;  ///< polyline that each piece belongs to, 0: none yet
 	std::uint64_t cellCount = 0;
-	BlockMask cornerReach, borderReach, traceReach;	 ///< blocks that were looked at for the corner, the borders, the pieces
+	BlockMask cornerReach, borderReach,
+		traceReach;  ///< blocks that were looked at for the corner, the borders, the pieces
 };
 
 /** All tiles of a map by their key. Tiles that hold nothing need not exist. */

@@ -15,7 +15,7 @@ namespace
 constexpr double coverDistance = 1;    ///< measurements within this of a piece start no ridge [sigma]
 constexpr double knownDistance = 0.2;  ///< a search that comes this close to a piece has found nothing new [sigma]
 constexpr double shadowWidth = 4;      ///< how far a ridge can outweigh measurements beside it [sigma]
-constexpr double shadowShare = 1.2;   ///< of the density of a wall beside it, above which a cell may have its own ridge
+constexpr double shadowShare = 0.4;   ///< of the density of a wall beside it, above which a cell may have its own ridge
 constexpr double leastCell = 0.25;    ///< edge by which the density of uncompacted measurements is judged [sigma]
 constexpr double seedMargin = 0.5;    ///< measurements up to this far outside a tile may start ridges in it [sigma]
 constexpr double leastLength = 0.02;  ///< shorter pieces with two free ends are noise of the arithmetic [sigma]

@@ -201,7 +201,7 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 }
 
 /** Estimates the distance between the segment a-b and the ridge: from the end tangents (cubic Hermite), then from f at
- * the middle, and at the quarters where the two disagree or the ridge bends strongly. An infinite error means that the
+ * the middle, and densely where the two disagree or the ridge bends strongly. An infinite error means that the
  * ridge does not follow. */
 RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, const RidgePoint& b, Vec2 tangentB) const
 {
@@ -227,7 +227,11 @@ RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, con
 	error = std::max(error, std::abs(middle));
 	const double surprise = std::abs(middle - guess(0.5));
 	if ((surprise > 0.2 * eps_ || h < shortSegment) && error <= limit)
-		error = std::max({error, std::abs(offset(0.25)), std::abs(offset(0.75))});
+		for (const double t : {0.25, 0.75, 0.1, 0.9, 0.375, 0.625})
+		{
+			error = std::max(error, std::abs(offset(t)));
+			if (error > limit) break;
+		}
 	else
 		error = std::max(error, std::abs(middle) + 0.5 * surprise);
 	return {error <= limit, error};

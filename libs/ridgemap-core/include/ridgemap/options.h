@@ -33,7 +33,7 @@ struct Options
 	double maxStep = 2;    ///< longest segment [sigma], 0.1 .. 4
 	/** Greatest factor by which a relative error of the density may move a ridge, in sigma, 1 .. 1e6. It grows without
 	 * limit at umbilic points, where the place of a ridge is not determined; ridges end where it is exceeded. */
-	double maxSensitivity = 60;
+	double maxSensitivity = 50;
 	StepRule stepRule = StepRule::error;       ///< how the step along a ridge is chosen
 	SeedRule seedRule = SeedRule::projection;  ///< how initial guesses are found
 
