@@ -156,14 +156,14 @@ TEST(StraightWall, ErrorFallsWithTheRootOfTheDensity)
 TEST(Corner, IsOneLineThatCutsByTheClosedForm)
 {
 	const RidgeMap exact = mapOf(exactWall({40, 0}, {0, 0}, 0.05) + exactWall({0, 0.05}, {0, 40}, 0.05));
-	ASSERT_EQ(exact.walls().size(), 1u);
-	EXPECT_NEAR(exact.walls()[0].length(), 80, 2.5);
-	EXPECT_NEAR(SegmentIndex(exact.walls(), 2).nearest({0, 0}, 5), 0.72, 0.02);
+	ASSERT_EQ(exact.ridges().size(), 1u);
+	EXPECT_NEAR(exact.ridges()[0].length(), 80, 2.5);
+	EXPECT_NEAR(SegmentIndex(exact.ridges(), 2).nearest({0, 0}, 5), 0.72, 0.02);
 
 	const double noise = 0.4;
 	const RidgeMap noisy = mapOf(SceneBuilder(3, 1, noise, 100).wall({0, 0}, {40, 0}).wall({0, 0}, {0, 40}).finish());
-	ASSERT_EQ(noisy.walls().size(), 1u);
-	EXPECT_NEAR(SegmentIndex(noisy.walls(), 2).nearest({0, 0}, 5), 0.72 * std::sqrt(1 + noise * noise), 0.07);
+	ASSERT_EQ(noisy.ridges().size(), 1u);
+	EXPECT_NEAR(SegmentIndex(noisy.ridges(), 2).nearest({0, 0}, 5), 0.72 * std::sqrt(1 + noise * noise), 0.07);
 }
 
 TEST(Circle, IsClosedAndHasTheRadiusOfTheClosedForm)

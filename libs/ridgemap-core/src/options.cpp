@@ -28,7 +28,8 @@ void checkRange(const char* name, double value, double lowest, double highest, c
 auto tie(const Options& o)
 {
 	return std::tie(o.sigma, o.eps, o.lTol, o.dTol, o.cell, o.cutoff, o.tileEdge, o.maxStep, o.maxSensitivity,
-					o.minCurvature, o.stepRule, o.seedRule, o.prune, o.pruneLength, o.attach, o.attachDistance);
+					o.minCurvature, o.stepRule, o.seedRule, o.prune, o.pruneLength, o.attach, o.attachDistance,
+					o.sharpen);
 }
 }  // namespace
 

@@ -320,6 +320,8 @@ std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Optio
 {
 	std::vector<Polyline> walls = options.minCurvature > 0 ? cutWeak(ridges, options) : ridges;
 	if (options.prune) walls = pruneShort(walls, options);
+	// Corners first: free ends are then led to where the walls are in the end.
+	if (options.sharpen) walls = sharpenCorners(walls, options);
 	if (options.attach) walls = attachFreeEnds(walls, options);
 	return walls;
 }

@@ -21,6 +21,10 @@ std::vector<Polyline> pruneShort(const std::vector<Polyline>& lines, const Optio
  * own). Ends that such a lead has come close to follow in further rounds. */
 std::vector<Polyline> attachFreeEnds(const std::vector<Polyline>& lines, const Options& options);
 
+/** Puts a vertex where two straight arms of a line meet, in place of the rounded bend that the ridge makes there. Bends
+ * that are wider than a corner's, and curves, are left as they are. */
+std::vector<Polyline> sharpenCorners(const std::vector<Polyline>& lines, const Options& options);
+
 /** All passes that the options ask for, in order. */
 std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Options& options);
 

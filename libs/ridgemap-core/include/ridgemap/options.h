@@ -44,6 +44,8 @@ struct Options
 	bool attach = true;           ///< walls: join free ends to the walls beside them
 	double attachDistance = 2.2;  ///< walls: farthest that a free end is joined [sigma], 0 .. 5
 
+	bool sharpen = true;  ///< walls: put a vertex where the straight arms of a rounded corner meet
+
 	/** Throws std::invalid_argument with the name, the value and the allowed range of the first field that is off. */
 	void validate() const;
 

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Corner sharpening. A ridge cuts a corner of 90 degrees by 0.72 sqrt(sigma^2 + s^2) (paper section VI-C); lines fitted
+// where the corner is no longer felt lead to where the surfaces meet.
+#include <algorithm>
+#include <optional>
+
+#include "vec2.h"
+#include "walls.h"
+
+namespace ridgemap
+{
+namespace
+{
+// Lengths in units of se = sqrt(sigma^2 + s^2), the width of the density across the wall.
+constexpr double gap = 2.4;                      ///< from the apex to where a line is fitted
+constexpr double windows[] = {4, 3, 2.25, 1.5};  ///< lengths over which it is fitted, the longest straight one counts
+constexpr double largestRms = 0.08;              ///< of a straight arm about its line
+constexpr double largestTurn = 0.9;              ///< cosine of the least turn that makes a corner, 0.45 rad
+constexpr double leastTurn = -0.94;              ///< cosine of the greatest turn: sharper ones are hooks
+constexpr double largestWidth = 1.6;             ///< of the stretch in which 20 to 80 % of the turn happen
+constexpr double nearApex = 1.1,
+				 farApex = 2.5;  ///< distances of the intersection from the polyline: sharp anyway; at most
+constexpr double sampling = 0.25;
+
+/** A polyline by arc length. */
+class Path
+{
+ public:
+	explicit Path(const Polyline& line) : closed_(line.closed)
+	{
+		for (const Point2& p : line.points)
+		{
+			if (!points_.empty()) s_.push_back(s_.back() + norm(Vec2{p.x, p.y} - points_.back()));
+			points_.push_back({p.x, p.y});
+			if (s_.empty()) s_.push_back(0);
+		}
+	}
+
+	double length() const { return s_.back(); }
+	double arc(std::size_t node) const { return s_[node]; }
+	/** The stretch a..b exists: always on a closed path, if it is not longer than the path. */
+	bool has(double a, double b) const { return closed_ ? b - a < length() : a >= 0 && b <= length(); }
+
+	Vec2 at(double s) const
+	{
+		if (closed_) s -= length() * std::floor(s / length());
+		const auto it = std::upper_bound(s_.begin(), s_.end(), s);
+		const std::size_t k =
+			std::min<std::size_t>(std::size_t(std::max<std::ptrdiff_t>(it - s_.begin(), 1)), s_.size() - 1);
+		const double d = s_[k] - s_[k - 1], t = d > 0 ? (s - s_[k - 1]) / d : 0;
+		return points_[k - 1] + std::max(0.0, std::min(1.0, t)) * (points_[k] - points_[k - 1]);
+	}
+
+	/** Direction from s to s + h. */
+	Vec2 direction(double s, double h) const { return unit(at(s + h) - at(s)); }
+
+ private:
+	bool closed_;
+	std::vector<Vec2> points_;
+	std::vector<double> s_;
+};
+
+/** A line fitted by total least squares. */
+struct FittedLine
+{
+	Vec2 mean, direction;
+	double rms = 0;
+};
+
+FittedLine fitLine(const Path& path, double a, double b, double step)
+{
+	const int n = std::max(3, int((b - a) / step) + 1);
+	FittedLine line;
+	std::vector<Vec2> p;
+	for (int i = 0; i < n; i++) p.push_back(path.at(a + (b - a) * i / (n - 1)));
+	for (const Vec2& q : p) line.mean = line.mean + (1.0 / n) * q;
+	double xx = 0, xy = 0, yy = 0;
+	for (const Vec2& q : p)
+	{
+		const Vec2 d = q - line.mean;
+		xx += d.x * d.x / n;
+		xy += d.x * d.y / n;
+		yy += d.y * d.y / n;
+	}
+	const double half = 0.5 * (xx - yy), radius = std::sqrt(half * half + xy * xy);
+	// The eigenvector of the larger eigenvalue, from whichever row is safer.
+	line.direction = half >= 0 ? unit({half + radius, xy}) : unit({xy, radius - half});
+	if (dot(line.direction, p.back() - p.front()) < 0) line.direction = -line.direction;
+	line.rms = std::sqrt(std::max(0.0, 0.5 * (xx + yy) - radius));
+	return line;
+}
+
+/** A corner to be made: the stretch that it replaces and its apex. */
+struct Corner
+{
+	double from = 0, to = 0;  ///< arc lengths; from may be negative and to beyond the length on a closed path
+	Vec2 apex;
+};
+
+class CornerFinder
+{
+ public:
+	CornerFinder(const Path& path, double se) : path_(path), se_(se) {}
+
+	std::vector<Corner> run(bool closed) const
+	{
+		std::vector<Corner> corners;
+		const double step = sampling * se_, reach = gap * se_;
+		const int n = int(path_.length() / step);
+		for (int i = 0; i <= n; i++)
+		{
+			const double s = i * step;
+			if (!isSharpest(s, step, reach)) continue;
+			std::optional<Corner> corner = at(s);
+			if (!corner) continue;
+			const bool overlaps = !corners.empty() && corner->from < corners.back().to;
+			const bool wraps = closed && !corners.empty() && corner->to - path_.length() > corners.front().from;
+			if (!overlaps && !wraps) corners.push_back(*corner);
+		}
+		return corners;
+	}
+
+ private:
+	/** Cosine of the turn between the directions behind and before s. */
+	double turn(double s) const
+	{
+		const double skip = 0.8 * se_, length = 1.6 * se_;
+		if (!path_.has(s - skip - length, s + skip + length)) return 1;
+		return dot(path_.direction(s - skip - length, length), path_.direction(s + skip, length));
+	}
+
+	bool isSharpest(double s, double step, double reach) const
+	{
+		const double here = turn(s);
+		if (here > largestTurn) return false;
+		for (double d = step; d <= reach; d += step)
+			if (turn(s - d) < here || turn(s + d) <= here) return false;
+		return true;
+	}
+
+	/** The longest straight arm that ends `gap` from s, before (sign -1) or behind it (+1). */
+	std::optional<FittedLine> arm(double s, int sign) const
+	{
+		for (const double w : windows)
+		{
+			const double near = s + sign * gap * se_, far = near + sign * w * se_;
+			if (!path_.has(std::min(near, far), std::max(near, far))) continue;
+			if (!path_.has(std::min(s, far), std::max(s, far))) continue;
+			const FittedLine line = fitLine(path_, std::min(near, far), std::max(near, far), sampling * se_);
+			if (line.rms <= largestRms * se_) return line;
+		}
+		return std::nullopt;
+	}
+
+	std::optional<Corner> at(double s) const
+	{
+		const std::optional<FittedLine> a = arm(s, -1), b = arm(s, +1);
+		if (!a || !b) return std::nullopt;
+		const double cosine = dot(a->direction, b->direction), sine = cross(a->direction, b->direction);
+		if (cosine > largestTurn || cosine < leastTurn) return std::nullopt;
+		const double t = cross(b->mean - a->mean, b->direction) / sine;
+		const Vec2 apex = a->mean + t * a->direction;
+		// The intersection must lie ahead of the one arm and behind the other, and near the polyline.
+		if (dot(apex - path_.at(s - gap * se_), a->direction) < 0 ||
+			dot(path_.at(s + gap * se_) - apex, b->direction) < 0)
+			return std::nullopt;
+		const double distance = norm(apex - path_.at(s));
+		if (distance > farApex * se_) return std::nullopt;
+		if (turningWidth(s, a->direction, b->direction) > largestWidth * se_) return std::nullopt;
+		return Corner{s - gap * se_, s + gap * se_, apex};
+	}
+
+	/** Length of the stretch in which 20 to 80 % of the turn from a to b happen. */
+	double turningWidth(double s, Vec2 a, Vec2 b) const
+	{
+		const double step = 0.1 * se_, whole = norm(b - a);
+		double first = s - gap * se_, last = s + gap * se_;
+		bool begun = false;
+		for (double u = s - gap * se_; u < s + gap * se_; u += step)
+		{
+			const double share = norm(path_.direction(u, step) - a) / whole;
+			if (!begun && share > 0.2)
+			{
+				first = u;
+				begun = true;
+			}
+			if (share < 0.8) last = u + step;
+		}
+		return last - first;
+	}
+
+	const Path& path_;
+	double se_;
+};
+
+/** The width of the density across a wall [m], from the median curvature of its vertices: 1/(1 + (s/sigma)^2). */
+double densityWidth(const Polyline& line, double sigma)
+{
+	std::vector<float> curvatures;
+	for (const VertexInfo& v : line.info)
+		if (v.occupancy > 0 && v.curvature > 0) curvatures.push_back(v.curvature);
+	if (curvatures.empty()) return sigma;
+	const auto middle = curvatures.begin() + std::ptrdiff_t(curvatures.size() / 2);
+	std::nth_element(curvatures.begin(), middle, curvatures.end());
+	return sigma / std::sqrt(std::min(1.0, std::max(0.25, double(*middle))));
+}
+
+/** Vertices of the line with those between the feet of each corner replaced by its apex. */
+Polyline replaceCorners(const Polyline& line, const Path& path, const std::vector<Corner>& corners)
+{
+	Polyline result = line;
+	result.points.clear();
+	result.info.clear();
+	std::size_t next = 0;
+	const double length = path.length();
+	const auto add = [&](const Corner& c)
+	{
+		result.points.push_back({c.apex.x, c.apex.y});
+		result.info.push_back({});
+	};
+	const auto inside = [&](double s)
+	{
+		return std::any_of(corners.begin(), corners.end(),
+						   [&](const Corner& c)
+						   {
+							   const bool wrapped = line.closed && ((s + length > c.from && s + length < c.to) ||
+																	(s - length > c.from && s - length < c.to));
+							   return (s > c.from && s < c.to) || wrapped;
+						   });
+	};
+	for (std::size_t k = 0; k < line.points.size(); k++)
+	{
+		const double s = path.arc(k);
+		for (; next < corners.size() && 0.5 * (corners[next].from + corners[next].to) <= s; next++) add(corners[next]);
+		if (inside(s) || (line.closed && k + 1 == line.points.size())) continue;
+		result.points.push_back(line.points[k]);
+		result.info.push_back(line.info[k]);
+	}
+	if (line.closed)
+	{
+		result.points.push_back(result.points.front());
+		result.info.push_back(result.info.front());
+	}
+	return result;
+}
+}  // namespace
+
+std::vector<Polyline> sharpenCorners(const std::vector<Polyline>& lines, const Options& options)
+{
+	std::vector<Polyline> result;
+	for (const Polyline& line : lines)
+	{
+		const Path path(line);
+		const double se = densityWidth(line, options.sigma);
+		if (path.length() < 2 * (gap + windows[3]) * se)
+		{
+			result.push_back(line);
+			continue;
+		}
+		const std::vector<Corner> corners = CornerFinder(path, se).run(line.closed);
+		result.push_back(corners.empty() ? line : replaceCorners(line, path, corners));
+	}
+	return result;
+}
+
+}  // namespace ridgemap
