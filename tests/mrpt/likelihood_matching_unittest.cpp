@@ -23,6 +23,16 @@ CRidgeMap2D makeRoomMap()
 	return map;
 }
 
+/** Pairs points with feet on walls, and with nothing else. */
+CRidgeMap2D makeFeetMap()
+{
+	CRidgeMap2D map = makeRoomMap();
+	map.matchingOptions.method = MatchingMethod::feet;
+	map.matchingOptions.fallback = false;
+	map.matchingOptions.maxGate = 100;
+	return map;
+}
+
 double exhaustiveDistance(const std::vector<Polyline>& polylines, double x, double y)
 {
 	double best = std::numeric_limits<double>::infinity();
@@ -122,7 +132,7 @@ TEST(Likelihood, IsFiniteWhateverComes)
 
 TEST(Matching, FeetAgreeWithExhaustiveSearch)
 {
-	const CRidgeMap2D map = makeRoomMap();
+	const CRidgeMap2D map = makeFeetMap();
 	const auto points = pointsOfScan(scanOfRoom(0.4, 0.2, -0.5));
 	const std::size_t targets = map.getAsSimplePointsMap()->size();
 	for (const auto& pose : {CPose2D(0.4, 0.2, -0.5), CPose2D(0.5, 0.1, -0.4), CPose2D(-0.6, 0.5, 1)})
@@ -169,7 +179,7 @@ TEST(Matching, FeetAgreeWithExhaustiveSearch)
 
 TEST(Matching, GlobalIndexIsTheNearbyPoint)
 {
-	const CRidgeMap2D map = makeRoomMap();
+	const CRidgeMap2D map = makeFeetMap();
 	const auto points = pointsOfScan(scanOfRoom(0.4, 0.2, -0.5));
 	mrpt::tfest::TMatchingPairList pairs;
 	mrpt::maps::TMatchingExtraResults extra;
@@ -185,7 +195,7 @@ TEST(Matching, GlobalIndexIsTheNearbyPoint)
 
 TEST(Matching, MatchingIn3DKeepsTheHeight)
 {
-	const CRidgeMap2D map = makeRoomMap();
+	const CRidgeMap2D map = makeFeetMap();
 	mrpt::maps::CSimplePointsMap points;
 	points.insertPoint(2.9f, 0, 0.7f);
 	points.insertPoint(0, 0, 0.2f);
@@ -203,7 +213,7 @@ TEST(Matching, MatchingIn3DKeepsTheHeight)
 
 TEST(Matching, RatioOfAMapWithItselfIsOne)
 {
-	const CRidgeMap2D map = makeRoomMap();
+	const CRidgeMap2D map = makeFeetMap();
 	mrpt::maps::TMatchingRatioParams params;
 	EXPECT_EQ(map.compute3DMatchingRatio(&map, CPose3D(), params), 1);
 	EXPECT_LT(map.compute3DMatchingRatio(&map, CPose3D(0.5, 0.5, 0, 0, 0, 0), params), 0.3);
@@ -217,7 +227,7 @@ TEST(Matching, RatioOfAMapWithItselfIsOne)
 
 TEST(Matching, NothingToMatch)
 {
-	const CRidgeMap2D map = makeRoomMap();
+	const CRidgeMap2D map = makeFeetMap();
 	const auto points = pointsOfScan(scanOfRoom(0, 0, 0));
 	mrpt::tfest::TMatchingPairList pairs;
 	mrpt::maps::TMatchingExtraResults extra;

@@ -51,11 +51,10 @@ ChosenPoints choose(const mrpt::maps::CPointsMap& map, const mrpt::maps::TMatchi
 	return chosen;
 }
 
-/** Pairs every point that has a target within the gate. `toMap` brings a point into the map frame; its partner is the
- * target itself, or, if so wanted, the place in the map frame to which it was brought. */
+/** Pairs every point that has a target within the gate. `toMap` brings a point into the map frame. */
 template <class ToMap, class Gate>
 void makePairs(const MatchingTargets& targets, const ChosenPoints& chosen, ToMap&& toMap, Gate&& gate,
-			   bool partnerIsPlace, mrpt::tfest::TMatchingPairList& pairs, mrpt::maps::TMatchingExtraResults& extra)
+			   mrpt::tfest::TMatchingPairList& pairs, mrpt::maps::TMatchingExtraResults& extra)
 {
 	pairs.clear();
 	extra = mrpt::maps::TMatchingExtraResults();
@@ -65,14 +64,45 @@ void makePairs(const MatchingTargets& targets, const ChosenPoints& chosen, ToMap
 		const TPoint3D &local = chosen.points[i], global = toMap(local);
 		const auto target = targets.nearest({global.x, global.y}, gate(global));
 		if (!target) continue;
-		const Point2 partner = partnerIsPlace ? Point2{global.x, global.y} : target->point;
-		pairs.emplace_back(uint32_t(target->index), uint32_t(chosen.indices[i]), float(partner.x), float(partner.y),
-						   float(global.z), float(local.x), float(local.y), float(local.z));
+		pairs.emplace_back(uint32_t(target->index), uint32_t(chosen.indices[i]), float(target->point.x),
+						   float(target->point.y), float(global.z), float(local.x), float(local.y), float(local.z));
 		pairs.back().errorSquareAfterTransformation = float(target->distance * target->distance);
 		sumSqr += target->distance * target->distance;
 	}
 	if (!chosen.points.empty()) extra.correspondencesRatio = float(double(pairs.size()) / double(chosen.points.size()));
 	extra.sumSqrDist = float(sumSqr);
+}
+
+/** Moves the partners so that `pose` becomes the solution of the least squares over the pairs: takes the shift and the
+ * turn that a rigid motion could still make good out of the residuals. The rest of them stays, for MRPT estimates the
+ * covariance of the pose from it. */
+void makeSolution(const PlanarPose& pose, mrpt::tfest::TMatchingPairList& pairs)
+{
+	Point2 centre, shift;
+	const double n = double(pairs.size());
+	for (const auto& pair : pairs)
+	{
+		const Point2 place = pose * Point2{pair.local.x, pair.local.y};
+		centre.x += place.x / n;
+		centre.y += place.y / n;
+		shift.x += (pair.global.x - place.x) / n;
+		shift.y += (pair.global.y - place.y) / n;
+	}
+	double moment = 0, inertia = 0;
+	for (const auto& pair : pairs)
+	{
+		const Point2 place = pose * Point2{pair.local.x, pair.local.y};
+		const double x = place.x - centre.x, y = place.y - centre.y;
+		moment += x * (pair.global.y - place.y - shift.y) - y * (pair.global.x - place.x - shift.x);
+		inertia += x * x + y * y;
+	}
+	const double turn = inertia > 0 ? moment / inertia : 0;
+	for (auto& pair : pairs)
+	{
+		const Point2 place = pose * Point2{pair.local.x, pair.local.y};
+		pair.global.x = float(pair.global.x - shift.x + turn * (place.y - centre.y));
+		pair.global.y = float(pair.global.y - shift.y - turn * (place.x - centre.x));
+	}
 }
 
 /** The alignment of the points with the lines; see CRidgeMap2D::determineMatching2D(). */
@@ -109,7 +139,8 @@ void CRidgeMap2D::determineMatching2D(const mrpt::maps::CMetricMap* otherMap, co
 	const auto toMap = [&](const TPoint3D& p)
 	{ return TPoint3D(pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y, 0); };
 	const auto gateAt = [&](const TPoint3D& p) { return gate.at({p.x, p.y}); };
-	makePairs(*targets, chosen, toMap, gateAt, lines, correspondences, extraResults);
+	makePairs(*targets, chosen, toMap, gateAt, correspondences, extraResults);
+	if (lines) makeSolution(pose, correspondences);
 }
 
 void CRidgeMap2D::determineMatching3D(const mrpt::maps::CMetricMap* otherMap, const mrpt::poses::CPose3D& otherMapPose,
@@ -125,7 +156,7 @@ void CRidgeMap2D::determineMatching3D(const mrpt::maps::CMetricMap* otherMap, co
 			double(params.maxAngularDistForCorrespondence) * (p - params.angularDistPivotPoint).norm();
 		return std::min(double(params.maxDistForCorrespondence) + turned, matchingOptions.maxGate);
 	};
-	makePairs(*matchingTargets(), chosen, toMap, gateAt, false, correspondences, extraResults);
+	makePairs(*matchingTargets(), chosen, toMap, gateAt, correspondences, extraResults);
 }
 
 float CRidgeMap2D::compute3DMatchingRatio(const mrpt::maps::CMetricMap* otherMap,

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+#include <ridgemap/point_to_line_matching.h>
+
+#include <cmath>
+#include <random>
+
+using namespace ridgemap;
+
+namespace
+{
+constexpr double degree = 0.017453292519943295;
+
+Polyline line(const Point2& a, const Point2& b, int parts = 50)
+{
+	Polyline p;
+	for (int i = 0; i <= parts; i++) p.points.push_back({a.x + (b.x - a.x) * i / parts, a.y + (b.y - a.y) * i / parts});
+	return p;
+}
+
+/** An L of two walls with a stub, no symmetry. */
+std::vector<Polyline> corner()
+{
+	return {line({-3, -2}, {4, -2}), line({4, -2}, {4, 3}), line({0, 1}, {1, 1.5}, 10)};
+}
+
+/** Points on the walls, seen from a pose. */
+std::vector<Point2> seenFrom(const std::vector<Polyline>& walls, const PlanarPose& pose)
+{
+	std::vector<Point2> points;
+	const double c = std::cos(pose.phi), s = std::sin(pose.phi);
+	for (const auto& wall : walls)
+		for (std::size_t i = 1; i < wall.points.size(); i++)
+		{
+			const double x = (wall.points[i].x + 2 * wall.points[i - 1].x) / 3 - pose.x;
+			const double y = (wall.points[i].y + 2 * wall.points[i - 1].y) / 3 - pose.y;
+			points.push_back({c * x + s * y, -s * x + c * y});
+		}
+	return points;
+}
+}  // namespace
+
+TEST(PointToLine, FindsTheExactPose)
+{
+	const auto walls = corner();
+	const MatchingTargets targets(walls, {}, {});
+	const PlanarPose truth{0.3, -0.4, 0.2};
+	const auto points = seenFrom(walls, truth);
+	std::mt19937 random(3);
+	std::uniform_real_distribution<double> unit(-1, 1);
+	for (int i = 0; i < 50; i++)
+	{
+		const PlanarPose start{truth.x + 0.2 * unit(random), truth.y + 0.2 * unit(random),
+							   truth.phi + 5 * degree * unit(random)};
+		const Alignment found = alignToLines(targets, points, start, {1, 0.1, 2, {start.x, start.y}}, {});
+		EXPECT_TRUE(found.converged);
+		EXPECT_NEAR(found.pose.x, truth.x, 1e-6);
+		EXPECT_NEAR(found.pose.y, truth.y, 1e-6);
+		EXPECT_NEAR(found.pose.phi, truth.phi, 1e-6);
+	}
+}
+
+TEST(PointToLine, SeveralStartsBringBackALostHeading)
+{
+	const auto walls = corner();
+	const MatchingTargets targets(walls, {}, {});
+	const PlanarPose truth{0.3, -0.4, 0.2};
+	const auto points = seenFrom(walls, truth);
+	TMatchingOptions options;
+	options.yawStarts = 7;
+	int alone = 0, several = 0;
+	for (int turn = -60; turn <= 60; turn += 12)
+	{
+		const PlanarPose start{truth.x + 0.1, truth.y, truth.phi + turn * degree};
+		const MatchingGate gate{1, 0.1, 2, {start.x, start.y}};
+		const auto good = [&](const Alignment& a) { return std::abs(a.pose.phi - truth.phi) < 1e-4; };
+		alone += good(alignToLines(targets, points, start, gate, options));
+		several += good(alignFromSeveralYaws(targets, points, start, gate, options));
+	}
+	EXPECT_EQ(several, 11);
+	EXPECT_LT(alone, 11);
+}
+
+TEST(PointToLine, DirectionsWithoutEvidenceStayAsTheyAre)
+{
+	const std::vector<Polyline> wall{line({-50, 0}, {50, 0}, 500)};
+	const MatchingTargets targets(wall, {}, {});
+	std::vector<Point2> points;
+	for (int i = -20; i <= 20; i++) points.push_back({0.1 * i, 1});
+	const Alignment found = alignToLines(targets, points, {3, -0.7, 0.05}, {1, 0, 2, {}}, {});
+	EXPECT_NEAR(found.pose.x, 3, 0.05);
+	EXPECT_NEAR(found.pose.y, -1, 1e-5);
+	EXPECT_NEAR(found.pose.phi, 0, 1e-5);
+}
+
+TEST(PointToLine, LoneMeasurementsAreTargetsOnlyFarFromPolylines)
+{
+	const std::vector<Polyline> wall{line({0, 0}, {1, 0})};
+	TargetSettings settings;
+	settings.loneDistance = 0.1;
+	const MatchingTargets with(wall, {{0.5, 0.05}, {0.5, 0.5}, {2, 2}}, settings);
+	const MatchingTargets without(wall, {{0.5, 0.05}, {0.5, 0.5}, {2, 2}}, {});
+	EXPECT_EQ(with.size(), without.size() + 2);
+	const auto lone = with.nearest({2.1, 2}, 1);
+	ASSERT_TRUE(lone);
+	EXPECT_TRUE(lone->lone);
+	EXPECT_NEAR(lone->distance, 0.1, 1e-12);
+	EXPECT_EQ(lone->index, with.size() - 1);
+	EXPECT_FALSE(without.nearest({2.1, 2}, 1));
+	EXPECT_FALSE(with.nearest({0.5, 0.1}, 1)->lone);
+}
+
+TEST(PointToLine, NothingToAlignWith)
+{
+	const MatchingTargets none({}, {}, {});
+	const PlanarPose start{1, 2, 3};
+	for (const auto& points : {std::vector<Point2>{}, std::vector<Point2>{{1, 1}, {std::nan(""), 0}}})
+	{
+		const Alignment found = alignFromSeveralYaws(none, points, start, {1, 0, 2, {}}, {});
+		EXPECT_EQ(found.pose.x, 1);
+		EXPECT_EQ(found.pose.y, 2);
+		EXPECT_EQ(found.pose.phi, 3);
+		EXPECT_FALSE(found.converged);
+	}
+}
+
+TEST(AlignmentMemory, TellsTheNextCallFromAFirstOne)
+{
+	AlignmentMemory memory;
+	EXPECT_FALSE(memory.goesOn({0, 0, 0}, 1));
+	memory.remember({1, 2, 3}, 1);
+	EXPECT_TRUE(memory.goesOn({1, 2, 3}, 1));
+	EXPECT_TRUE(memory.goesOn({1, 2, 3 - 6.283185307179586}, 0.5));
+	EXPECT_FALSE(memory.goesOn({1, 2, 3}, 2));
+	EXPECT_FALSE(memory.goesOn({1.1, 2, 3}, 1));
+	EXPECT_FALSE(AlignmentMemory(memory).goesOn({1, 2, 3}, 1));
+}
