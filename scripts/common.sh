@@ -7,8 +7,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # shellcheck disable=SC2034
 {
 	build_packages=(g++ cmake make ninja-build ccache libmrpt-dev libmrpt-tclap-dev libopencv-dev zlib1g-dev
-		libgtest-dev)
-	test_packages=(libbenchmark-dev mrpt-common mrpt-apps clang-format shellcheck git)
+		libgdal-dev libtinyxml2-dev libgtest-dev)
+	test_packages=(libbenchmark-dev mrpt-common mrpt-apps gdal-bin clang-format shellcheck git)
 	demo_packages=(mrpt-common)
 }
 
