@@ -54,7 +54,10 @@ void writePlainSvg(std::ostream& out, const std::vector<Layer>& layers)
 {
 	constexpr double margin = 0.5, lineWidth = 0.02;
 	const Box2 box = boxOf(layers);
-	const double width = box.max.x - box.min.x + 2 * margin, height = box.max.y - box.min.y + 2 * margin;
+	// Rounded first, so that the page has the size of its contents to the last digit.
+	const auto rounded = [](double v) { return std::round(v / writtenStep) * writtenStep; };
+	const double width = rounded(box.max.x - box.min.x + 2 * margin);
+	const double height = rounded(box.max.y - box.min.y + 2 * margin);
 	out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << number(width * 1000) << "mm\" height=\""
 		<< number(height * 1000) << "mm\" viewBox=\"" << number(box.min.x - margin) << ' '
 		<< number(-box.max.y - margin) << ' ' << number(width) << ' ' << number(height) << "\">\n"

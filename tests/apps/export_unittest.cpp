@@ -128,8 +128,8 @@ TEST_F(Export, wktByGdal)
 {
 	// OGR reads WKT from a column of a CSV file.
 	std::istringstream in(readFile(exported("map.wkt")));
-	std::string csv = "WKT\n";
-	for (std::string line; std::getline(in, line);) csv += '"' + line + "\"\n";
+	std::string csv = "id,WKT\n";
+	for (std::string line; std::getline(in, line);) csv += "1,\"" + line + "\"\n";
 	writeFile(*dir / "wkt.csv", csv);
 	expectSame(readByGdal(*dir / "wkt.csv"));
 }

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "measure.h"
+
+namespace ridgemap::apps
+{
+/** A picture of one map. */
+struct Picture
+{
+	std::string caption;
+	std::vector<std::uint8_t> png;
+};
+
+/** Pictures of the same part of all maps. */
+struct PictureRow
+{
+	std::string title;
+	std::vector<Picture> pictures;
+};
+
+/** All that the report shows. */
+struct Report
+{
+	std::string input, truth;  ///< names of the files; no truth: empty
+	std::size_t scans = 0, folds = 0;
+	double rotation = 0;  ///< of all poses [degrees]
+	double sigma = 0;     ///< of the ridge map [m]
+	std::vector<Figures> figures;
+	std::vector<PictureRow> rows;
+};
+
+/** The table on the terminal. */
+void printTable(const Report& report);
+void writeJson(std::ostream& out, const Report& report);
+/** One file with all pictures inside. */
+void writeHtml(std::ostream& out, const Report& report);
+
+}  // namespace ridgemap::apps
