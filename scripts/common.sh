@@ -10,6 +10,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 		libgdal-dev libtinyxml2-dev libgtest-dev)
 	test_packages=(libbenchmark-dev mrpt-common mrpt-apps gdal-bin clang-format shellcheck git)
 	demo_packages=(mrpt-common)
+	paper_packages=(gnuplot-nox)
 }
 
 say() { printf '%s\n' "== $*"; }

@@ -13,15 +13,11 @@ namespace ridgemap::apps
 class Random
 {
  public:
-	explicit Random(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15u + 0x1234567u) {}
+	/** Seeds are scattered: the states of a generator follow each other in even steps, so that even seeds would give
+	 * the same numbers, shifted. */
+	explicit Random(std::uint64_t seed) : state_(scatter(scatter(seed + 0x1234567u) ^ 0x6a09e667f3bcc909u)) {}
 
-	std::uint64_t bits()
-	{
-		std::uint64_t z = (state_ += 0x9e3779b97f4a7c15u);
-		z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-		z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-		return z ^ (z >> 31);
-	}
+	std::uint64_t bits() { return scatter(state_ += 0x9e3779b97f4a7c15u); }
 	/** Uniform in [0, 1). */
 	double uniform() { return double(bits() >> 11) * 0x1p-53; }
 	double uniform(double from, double to) { return from + (to - from) * uniform(); }
@@ -50,6 +46,13 @@ class Random
 	}
 
  private:
+	static std::uint64_t scatter(std::uint64_t z)
+	{
+		z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+		z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+		return z ^ (z >> 31);
+	}
+
 	std::uint64_t state_;
 };
 

@@ -47,7 +47,7 @@ Finding convergence(const Setting& setting)
 	f.id = "convergence";
 	f.title = "Convergence";
 	f.claim = "The construction converges unconditionally.";
-	const std::size_t wanted = setting.quick ? 30000 : 2000000;
+	const std::size_t wanted = setting.quick ? 30000 : 1000000;
 	std::array<std::size_t, std::size_t(StopReason::count_)> stops{};
 	std::size_t ends = 0, scenes = 0, metres = 0;
 	Random random(setting.seed + 14);

@@ -31,6 +31,15 @@ RidgeMap cornerMap(double sigma, const std::vector<Measurement>& points)
 	return map;
 }
 
+/** The ridges without the short ones that a few stray measurements make beside a dense wall. */
+std::vector<Polyline> longRidges(const RidgeMap& map)
+{
+	std::vector<Polyline> result;
+	for (const Polyline& p : map.ridges())
+		if (p.length() > 10 * map.options().sigma) result.push_back(p);
+	return result;
+}
+
 double errorNearCorner(const std::vector<Polyline>& polylines)
 {
 	return 1e3 * evaluate(polylines, truth, EvaluationSettings()).corners.rmsd();
@@ -61,7 +70,7 @@ cv::Mat cornerPicture(double density, std::uint64_t seed)
 		raster.line(p.points, colours::ridge, 4);
 		raster.dots(p.points, colours::ridge, 6);
 	}
-	raster.scaleBar(0.1, "0.1 m");
+	raster.scaleBar(0.1, "0.1 m", true, false);
 	return raster.titled(format("%.0f measurements per metre", density));
 }
 
@@ -74,30 +83,28 @@ Finding cornerError(const Setting& setting)
 	Finding f;
 	f.id = "fig4";
 	f.title = "Fig. 4: a corner";
-	f.table.columns = {"sigma m",
-					   "measurements per m",
-					   "ridges mm",
-					   "standard error mm",
-					   "walls mm",
-					   "walls standard error mm",
-					   "apex gap of ridges mm",
-					   "predicted mm"};
+	f.table.columns = {"sigma m",           "measurements per m", "long ridges mm",
+					   "standard error mm", "walls mm",           "walls standard error mm",
+					   "all ridges mm",     "apex gap mm",        "predicted mm"};
 	std::string at1000;
 	double worst = 0;
 	for (const double sigma : sigmas)
 		for (const double density : densities)
 		{
-			std::vector<double> ridges, walls, gaps;
+			std::vector<double> ridges, all, walls, gaps;
 			for (int i = 0; i < sets; i++)
 			{
 				const RidgeMap map = cornerMap(sigma, measureCorner(density, setting.seed * 7919 + std::uint64_t(i)));
-				ridges.push_back(errorNearCorner(map.ridges()));
+				const std::vector<Polyline> main = longRidges(map);
+				ridges.push_back(errorNearCorner(main));
+				all.push_back(errorNearCorner(map.ridges()));
 				walls.push_back(errorNearCorner(map.walls()));
-				gaps.push_back(apexGap(map.ridges()));
+				gaps.push_back(apexGap(main));
 			}
 			const double predicted = 1e3 * 0.72 * std::hypot(sigma, noise);
 			const Mean r = meanOf(ridges), w = meanOf(walls), g = meanOf(gaps);
-			f.table.rows.push_back({sigma, density, r.value, r.error, w.value, w.error, g.value, predicted});
+			f.table.rows.push_back(
+				{sigma, density, r.value, r.error, w.value, w.error, meanOf(all).value, g.value, predicted});
 			if (density == densities.back()) worst = std::max(worst, std::abs(g.value / predicted - 1));
 			if (density == 1000)
 				at1000 += format("%s%.1f mm at sigma %g m", at1000.empty() ? "" : ", ", r.value, sigma);
@@ -112,7 +119,8 @@ Finding cornerError(const Setting& setting)
 			i > 0 ? ", " : "plot ", sigmas[i], colour[i], sigmas[i], sigmas[i], colour[i]);
 	drawChart(setting, "fig4",
 			  format("set logscale xy\nset xlabel 'measurements per metre of wall'\n"
-					 "set ylabel 'RMSD within 1 m of the corner [mm]'\nset xrange [40:7000]\nset yrange [*:100]\nset "
+					 "set ylabel 'RMSD within 1 m of the corner [mm]'\nset xrange [40:7000]\nset yrange [2:150]\nset "
+					 "ytics (2,5,10,20,50,100)\nset "
 					 "key top right maxrows 3\n"
 					 "set title 'corner of 90 degrees, noise %g m, mean of %d sets'\n%s",
 					 noise, sets, plot.c_str()));
@@ -121,7 +129,11 @@ Finding cornerError(const Setting& setting)
 		"At a corner the RMSD no longer falls with the density: the ridge cuts the corner, less so for a smaller "
 		"smoothing parameter.";
 	f.result = format(
-		"RMSD of the ridges within 1 m of the corner at 1000 measurements per metre: %s; mean of %d sets. The gap "
+		"RMSD of ridges longer than 10 sigma within 1 m of the corner at 1000 measurements per metre: %s; mean of %d "
+		"sets. "
+		"It does not fall any more: the systematic error. (Shorter ridges, which stray measurements make beside a "
+		"dense wall "
+		"when sigma is below twice the noise, are no part of it; walls leave them out.) The gap "
 		"between corner and ridge is 0.72 sqrt(sigma^2 + s^2) within %.1f %% at 5000 per metre.",
 		at1000.c_str(), sets, 100 * worst);
 	f.verdict = worst <= 0.1 ? Verdict::holds : Verdict::differs;

@@ -27,16 +27,17 @@ void shadeOccupancy(Raster& raster, const RidgeMap& map, double full)
 	raster.shade([&](const Point2& p) { return 0.85 * std::sqrt(map.occupancy(p).value / full); });
 }
 
-/** R/L sigma: dark where the ridge criterion is nearly met. Below half a kernel nothing is shown. */
-void shadeRidgeFunction(Raster& raster, const RidgeMap& map)
+/** Dark where the ridge criterion is nearly met, the paler the fewer measurements there are: exp(-4 sigma R/L) times
+ * L/full, at most 1. */
+void shadeRidgeFunction(Raster& raster, const RidgeMap& map, double full)
 {
 	raster.shade(
 		[&](const Point2& p)
 		{
 			const OccupancySample o = map.occupancy(p);
-			if (o.value < 0.5) return 0.0;
+			if (o.value < 1e-6) return 0.0;
 			const RidgeFunction r = ridgeFunction(o);
-			return r.concave ? std::exp(-4 * sigma * r.value / o.value) : 0.0;
+			return r.concave ? std::min(1.0, o.value / full) * std::exp(-4 * sigma * r.value / o.value) : 0.0;
 		},
 		false);
 }
@@ -47,18 +48,18 @@ Finding constructionFigure(const Setting& setting)
 {
 	const HallwayDrive drive = driveHallway(150, setting.seed);
 	const RidgeMap map = mapOf(drive.all());
-	const Box2 box{{9.2, 4.9}, {11.0, 6.7}};
+	const Box2 box{{9.2, 5.5}, {10.5, 6.8}};
 	Raster occupancy(box, 900), function(box, 900), construction(box, 900);
 	shadeOccupancy(occupancy, map, 60);
 	occupancy.dots(pointsOf(drive.all()), colours::dots, 3);
-	shadeRidgeFunction(function, map);
+	shadeRidgeFunction(function, map, 40);
 	shadeOccupancy(construction, map, 200);
 	construction.segments(drive.truth, colours::truth, 3);
 	std::size_t nodes = 0;
 	for (const Polyline& p : map.ridges())
 	{
 		construction.line(p.points, colours::ridge, 4);
-		construction.dots(p.points, colours::node, 8);
+		construction.dots(p.points, colours::node, 10);
 		nodes += p.points.size();
 	}
 	construction.scaleBar(sigma, "sigma = 0.1 m");
@@ -74,7 +75,8 @@ Finding constructionFigure(const Setting& setting)
 		"Surfaces are the ridges of the continuous occupancy: there the gradient has no part along the direction of "
 		"strongest fall. A polyline is stepped along and relaxed onto them.";
 	f.result = format(
-		"The inner corner of the hallway, sigma %g m. The dark line of the ridge function (shown as exp(-4 sigma R/L)) "
+		"The inner corner of the hallway, sigma %g m. The dark line of the ridge function (shown as exp(-4 sigma R/L), "
+		"pale where L is small) "
 		"and "
 		"the polyline fall together: each node meets the criterion, each segment lies within eps = sigma/50. %zu nodes "
 		"in "
@@ -87,17 +89,17 @@ Finding hallwayFigure(const Setting& setting)
 {
 	const HallwayDrive drive = driveHallway(150, setting.seed);
 	const RidgeMap map = mapOf(drive.all());
-	const Box2 all{{-0.7, -0.7}, {16.7, 16.7}}, zoom{{9.3, 5.3}, {10.7, 6.7}};
+	const Box2 all{{-0.7, -0.7}, {16.7, 16.7}}, zoom{{9.4, 5.7}, {10.3, 6.6}};
 	Raster scene(all, 900), occupancy(all, 900), walls(all, 900), corner(zoom, 900);
 	std::vector<Point2> path;
 	for (const Pose& p : drive.poses) path.push_back({p.x, p.y});
+	scene.segments(drive.truth, colours::truth, 2);
 	scene.dots(pointsOf(drive.all()), colours::dots, 1.2);
-	scene.segments(drive.truth, colours::truth, 3);
 	scene.line(path, colours::path, 3);
-	scene.scaleBar(2, "2 m");
+	scene.scaleBar(2, "2 m", false, false);
 	shadeOccupancy(occupancy, map, 60);
 	for (const Polyline& p : map.walls()) walls.line(p.points, colours::ridge, 3);
-	walls.rectangle({{9, 5}, {11, 7}}, colours::black);
+	walls.rectangle(zoom, colours::black);
 	shadeOccupancy(corner, map, 300);
 	corner.segments(drive.truth, colours::truth, 4);
 	for (const Polyline& p : map.ridges())

@@ -75,14 +75,16 @@ void Raster::rectangle(const Box2& b, const cv::Scalar& colour)
 	line({b.min, {b.max.x, b.min.y}, b.max, {b.min.x, b.max.y}, b.min}, colour, 3);
 }
 
-void Raster::scaleBar(double metres, const std::string& text)
+void Raster::scaleBar(double metres, const std::string& text, bool right, bool bottom)
 {
-	const int length = int(std::lround(metres * scale_)), right = image_.cols - 30, y = image_.rows - 30;
-	cv::rectangle(image_, {right - length - 20, y - 60}, {right + 20, y + 20}, colours::white, cv::FILLED);
-	cv::line(image_, {right - length, y}, {right, y}, colours::black, 5);
 	const cv::Size size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, 1, 2, nullptr);
-	cv::putText(image_, text, {right - length / 2 - size.width / 2, y - 14}, cv::FONT_HERSHEY_SIMPLEX, 1,
-				colours::black, 2, cv::LINE_AA);
+	const int length = int(std::lround(metres * scale_)), width = std::max(length, size.width), margin = 30;
+	const int left = right ? image_.cols - margin - width : margin, y = bottom ? image_.rows - margin : margin + 50;
+	cv::rectangle(image_, {left - 15, y - 50}, {left + width + 15, y + 18}, colours::white, cv::FILLED);
+	const int middle = left + width / 2;
+	cv::line(image_, {middle - length / 2, y}, {middle + length / 2, y}, colours::black, 5);
+	cv::putText(image_, text, {middle - size.width / 2, y - 14}, cv::FONT_HERSHEY_SIMPLEX, 1, colours::black, 2,
+				cv::LINE_AA);
 }
 
 cv::Mat Raster::titled(const std::string& title) const

@@ -32,8 +32,8 @@ class Raster
 	void line(const std::vector<Point2>& points, const cv::Scalar& colour, double width);
 	void segments(const std::vector<Segment>& segments, const cv::Scalar& colour, double width);
 	void rectangle(const Box2& box, const cv::Scalar& colour);
-	/** Bar of a length in the lower right corner. */
-	void scaleBar(double metres, const std::string& text);
+	/** Bar of a length in a corner of the picture, at the right and at the bottom if not said otherwise. */
+	void scaleBar(double metres, const std::string& text, bool right = true, bool bottom = true);
 
 	/** Image with a line of text above it. */
 	cv::Mat titled(const std::string& title) const;
