@@ -72,6 +72,7 @@ CRidgeMap2D* CRidgeMap2D::TMapDefinition::load() const
 	map->insertionOptions = insertionOpts;
 	map->likelihoodOptions = likelihoodOpts;
 	map->renderOptions = renderOpts;
+	map->matchingOptions = matchingOpts;
 	return map.release();
 }
 
