@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "vec2.h"
+#include "wall_path.h"
 #include "walls.h"
 
 namespace ridgemap
@@ -21,74 +21,6 @@ constexpr double largestWidth = 1.6;             ///< of the stretch in which 20
 constexpr double nearApex = 1.1,
 				 farApex = 2.5;  ///< distances of the intersection from the polyline: sharp anyway; at most
 constexpr double sampling = 0.25;
-
-/** A polyline by arc length. */
-class Path
-{
- public:
-	explicit Path(const Polyline& line) : closed_(line.closed)
-	{
-		for (const Point2& p : line.points)
-		{
-			if (!points_.empty()) s_.push_back(s_.back() + norm(Vec2{p.x, p.y} - points_.back()));
-			points_.push_back({p.x, p.y});
-			if (s_.empty()) s_.push_back(0);
-		}
-	}
-
-	double length() const { return s_.back(); }
-	double arc(std::size_t node) const { return s_[node]; }
-	/** The stretch a..b exists: always on a closed path, if it is not longer than the path. */
-	bool has(double a, double b) const { return closed_ ? b - a < length() : a >= 0 && b <= length(); }
-
-	Vec2 at(double s) const
-	{
-		if (closed_) s -= length() * std::floor(s / length());
-		const auto it = std::upper_bound(s_.begin(), s_.end(), s);
-		const std::size_t k =
-			std::min<std::size_t>(std::size_t(std::max<std::ptrdiff_t>(it - s_.begin(), 1)), s_.size() - 1);
-		const double d = s_[k] - s_[k - 1], t = d > 0 ? (s - s_[k - 1]) / d : 0;
-		return points_[k - 1] + std::max(0.0, std::min(1.0, t)) * (points_[k] - points_[k - 1]);
-	}
-
-	/** Direction from s to s + h. */
-	Vec2 direction(double s, double h) const { return unit(at(s + h) - at(s)); }
-
- private:
-	bool closed_;
-	std::vector<Vec2> points_;
-	std::vector<double> s_;
-};
-
-/** A line fitted by total least squares. */
-struct FittedLine
-{
-	Vec2 mean, direction;
-	double rms = 0;
-};
-
-FittedLine fitLine(const Path& path, double a, double b, double step)
-{
-	const int n = std::max(3, int((b - a) / step) + 1);
-	FittedLine line;
-	std::vector<Vec2> p;
-	for (int i = 0; i < n; i++) p.push_back(path.at(a + (b - a) * i / (n - 1)));
-	for (const Vec2& q : p) line.mean = line.mean + (1.0 / n) * q;
-	double xx = 0, xy = 0, yy = 0;
-	for (const Vec2& q : p)
-	{
-		const Vec2 d = q - line.mean;
-		xx += d.x * d.x / n;
-		xy += d.x * d.y / n;
-		yy += d.y * d.y / n;
-	}
-	const double half = 0.5 * (xx - yy), radius = std::sqrt(half * half + xy * xy);
-	// The eigenvector of the larger eigenvalue, from whichever row is safer.
-	line.direction = half >= 0 ? unit({half + radius, xy}) : unit({xy, radius - half});
-	if (dot(line.direction, p.back() - p.front()) < 0) line.direction = -line.direction;
-	line.rms = std::sqrt(std::max(0.0, 0.5 * (xx + yy) - radius));
-	return line;
-}
 
 /** A corner to be made: the stretch that it replaces and its apex. */
 struct Corner
@@ -192,18 +124,6 @@ class CornerFinder
 	const Path& path_;
 	double se_;
 };
-
-/** The width of the density across a wall [m], from the median curvature of its vertices: 1/(1 + (s/sigma)^2). */
-double densityWidth(const Polyline& line, double sigma)
-{
-	std::vector<float> curvatures;
-	for (const VertexInfo& v : line.info)
-		if (v.occupancy > 0 && v.curvature > 0) curvatures.push_back(v.curvature);
-	if (curvatures.empty()) return sigma;
-	const auto middle = curvatures.begin() + std::ptrdiff_t(curvatures.size() / 2);
-	std::nth_element(curvatures.begin(), middle, curvatures.end());
-	return sigma / std::sqrt(std::min(1.0, std::max(0.25, double(*middle))));
-}
 
 /** Vertices of the line with those between the feet of each corner replaced by its apex. */
 Polyline replaceCorners(const Polyline& line, const Path& path, const std::vector<Corner>& corners)

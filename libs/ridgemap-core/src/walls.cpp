@@ -323,6 +323,7 @@ std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Optio
 	// Corners first: free ends are then led to where the walls are in the end.
 	if (options.sharpen) walls = sharpenCorners(walls, options);
 	if (options.attach) walls = attachFreeEnds(walls, options);
+	if (options.trim) walls = trimEnds(walls, options);
 	return walls;
 }
 

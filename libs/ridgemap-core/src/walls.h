@@ -25,6 +25,10 @@ std::vector<Polyline> attachFreeEnds(const std::vector<Polyline>& lines, const O
  * that are wider than a corner's, and curves, are left as they are. */
 std::vector<Polyline> sharpenCorners(const std::vector<Polyline>& lines, const Options& options);
 
+/** Moves the free ends of straight lines back to where the density falls to half that of the wall, which is where the
+ * surface ends, and draws their last stretch straight. Ends that other lines are led to stay. */
+std::vector<Polyline> trimEnds(const std::vector<Polyline>& lines, const Options& options);
+
 /** All passes that the options ask for, in order. */
 std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Options& options);
 

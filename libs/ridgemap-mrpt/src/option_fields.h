@@ -71,6 +71,7 @@ void visitFields(const TCreationOptions*, O& o, V&& visit)
 	visit(FieldInfo{"pruneLength", "sigma", "walls: chains shorter than this are left out", 0, 100}, o.pruneLength);
 	visit(FieldInfo{"attach", "", "walls: join free ends to the walls beside them"}, o.attach);
 	visit(FieldInfo{"attachDistance", "sigma", "walls: farthest that a free end is joined", 0, 5}, o.attachDistance);
+	visit(FieldInfo{"trim", "", "walls: move free ends back to where the surface ends"}, o.trim);
 	visit(FieldInfo{"sharpen", "", "walls: put a vertex where the straight arms of a rounded corner meet"}, o.sharpen);
 }
 

@@ -46,6 +46,8 @@ struct Options
 
 	bool sharpen = true;  ///< walls: put a vertex where the straight arms of a rounded corner meet
 
+	bool trim = true;  ///< walls: move free ends back to where the surface ends
+
 	/** Throws std::invalid_argument with the name, the value and the allowed range of the first field that is off. */
 	void validate() const;
 
