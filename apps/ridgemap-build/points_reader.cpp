@@ -6,8 +6,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "../common/user_error.h"
 #include "../common/number_line.h"
+#include "../common/user_error.h"
 
 namespace ridgemap::apps
 {

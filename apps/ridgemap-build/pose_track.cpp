@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "../common/gz_input.h"
-#include "../common/user_error.h"
 #include "../common/number_line.h"
+#include "../common/user_error.h"
 
 namespace ridgemap::apps
 {
