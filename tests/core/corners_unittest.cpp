@@ -26,12 +26,13 @@ double distanceToCorner(const std::vector<Polyline>& walls, const Point2& p)
 	return best;
 }
 
+/** Inner vertices that lie on no ridge. */
 std::size_t madeVertices(const std::vector<Polyline>& walls)
 {
 	std::size_t n = 0;
 	for (const Polyline& w : walls)
 		n += std::size_t(
-			std::count_if(w.info.begin(), w.info.end(), [](const VertexInfo& v) { return v.occupancy == 0; }));
+			std::count_if(w.info.begin() + 1, w.info.end() - 1, [](const VertexInfo& v) { return v.occupancy == 0; }));
 	return n;
 }
 
