@@ -85,7 +85,7 @@ void writeHtml(std::ostream& out, const std::vector<Finding>& findings, const st
 
 void writeMarkdown(std::ostream& out, const std::vector<Finding>& findings, const std::string& note)
 {
-	out << "# The paper, reproduced\n\nMade by `scripts/reproduce.sh`; do not edit. " << note << "\n\n";
+	out << "# The paper, reproduced\n\n`scripts/reproduce.sh --docs` renews this page; do not edit. " << note << "\n\n";
 	out << "| experiment | |\n|---|---|\n";
 	for (const Finding& f : findings) out << "| " << f.title << " | " << sentenceOf(f.verdict) << " |\n";
 	for (const Finding& f : findings)
