@@ -87,17 +87,21 @@ rbpf-slam)
 	esac
 	;;
 pf-localization)
-	run "$config/pf-localization/$ini"
+	# A room looks like that of the robot, and a single run of a particle filter may end there: one in a few must not.
+	x=0 y=0 spread=0
+	for attempt in 1 2 3 4 5; do
+		rm -rf LOG_LOCALIZATION*
+		run "$config/pf-localization/$ini"
+		[ "$(grep -c 'PDF estimation' log)" -gt 20 ] || fail "too few steps"
+		estimate=$(grep 'PDF estimation' log | tail -n 1 | sed -E 's/.*estimation: \(([-0-9.]+),([-0-9.]+),.*tr\(cov\): ([-0-9.e]+).*/\1 \2 \3/')
+		read -r x y spread <<<"$estimate"
+		if within "$x" 15.74 16.04 && within "$y" -10.15 -9.85; then break; fi
+		[ "$attempt" -lt 5 ] || fail "the robot is believed to be at ($x, $y)"
+	done
 	has '*/map_*CRidgeMap2D*_walls.csv' 1000
 	beside_grid '*/map*COccupancyGridMap2D*.png'
-	[ "$(grep -c 'PDF estimation' log)" -gt 20 ] || fail "too few steps"
-	estimate=$(grep 'PDF estimation' log | tail -n 1 | sed -E 's/.*estimation: \(([-0-9.]+),([-0-9.]+),.*tr\(cov\): ([-0-9.e]+).*/\1 \2 \3/')
-	read -r x y spread <<<"$estimate"
-	# The truth, or the room that looks like it: a single run of a particle filter may end there.
-	{ within "$x" 15.7 16.1 && within "$y" -10.2 -9.8; } || { within "$x" 6 7 && within "$y" -10.8 -9.8; } ||
-		fail "the robot is believed to be at ($x, $y)"
-	within "$spread" 0.01 0.5 || fail "tr(cov) is $spread"
-	echo "the robot is at ($x, $y), tr(cov) $spread"
+	within "$spread" 0.01 0.2 || fail "tr(cov) is $spread"
+	echo "the robot is at ($x, $y), tr(cov) $spread, attempt $attempt"
 	;;
 observations2map)
 	run "$config/observations2map/$ini" "$data/localization_demo.simplemap.gz" out
