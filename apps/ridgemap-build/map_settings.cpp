@@ -24,11 +24,10 @@ std::string prefixOf(const std::string& section)
 	const auto at = section.rfind('_');
 	if (at == std::string::npos) return "";
 	const std::string kind = lower(section.substr(at + 1)), prefix = section.substr(0, at);
-	const bool known =
-		kind == "creationopts" || kind == "insertopts" || kind == "likelihoodopts" || kind == "renderopts" ||
-					   kind == "matchingopts";
-	const bool ours = lower(prefix).find("ridgemap") != std::string::npos ||
-					  lower(prefix).find("ridgepoints") != std::string::npos;
+	const bool known = kind == "creationopts" || kind == "insertopts" || kind == "likelihoodopts" ||
+					   kind == "renderopts" || kind == "matchingopts";
+	const bool ours =
+		lower(prefix).find("ridgemap") != std::string::npos || lower(prefix).find("ridgepoints") != std::string::npos;
 	return known && ours ? prefix : "";
 }
 

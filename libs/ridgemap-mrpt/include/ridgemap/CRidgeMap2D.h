@@ -147,10 +147,10 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	 *
 	 * With MatchingMethod::lines the alignment with the lines of the polylines is solved here, and the feet of the
 	 * points are freed of the shift and the turn that are left: the least squares of MRPT's classic ICP then find the
-	 * same alignment (Levenberg-Marquardt needs MatchingMethod::feet). With MatchingMethod::feet it is the foot on the polyline.
-	 * Errors and ratio are those of true feet. `globalIdx` is the index of the point of getAsSimplePointsMap() nearest
-	 * to the foot along its polyline. onlyUniqueRobust has no meaning for feet and is ignored. Throws std::exception if
-	 * the other map has no points map.
+	 * same alignment (Levenberg-Marquardt needs MatchingMethod::feet). With MatchingMethod::feet it is the foot on the
+	 * polyline. Errors and ratio are those of true feet. `globalIdx` is the index of the point of
+	 * getAsSimplePointsMap() nearest to the foot along its polyline. onlyUniqueRobust has no meaning for feet and is
+	 * ignored. Throws std::exception if the other map has no points map.
 	 *
 	 * A call that starts where the one before ended, with a gate that is no wider, is taken for the next one of the
 	 * same alignment; see TMatchingOptions::yawFirstOnly. */
