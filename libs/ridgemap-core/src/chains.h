@@ -3,7 +3,6 @@
 
 #include <ridgemap/ridge_map.h>
 
-#include <map>
 #include <unordered_map>
 #include <vector>
 

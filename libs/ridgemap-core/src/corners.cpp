@@ -18,8 +18,7 @@ constexpr double largestRms = 0.08;              ///< of a straight arm about it
 constexpr double largestTurn = 0.9;              ///< cosine of the least turn that makes a corner, 0.45 rad
 constexpr double leastTurn = -0.94;              ///< cosine of the greatest turn: sharper ones are hooks
 constexpr double largestWidth = 1.6;             ///< of the stretch in which 20 to 80 % of the turn happen
-constexpr double nearApex = 1.1,
-				 farApex = 2.5;  ///< distances of the intersection from the polyline: sharp anyway; at most
+constexpr double farApex = 2.5;                  ///< farthest that the intersection may lie from the polyline
 constexpr double sampling = 0.25;
 
 /** A corner to be made: the stretch that it replaces and its apex. */

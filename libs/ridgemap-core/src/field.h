@@ -3,7 +3,6 @@
 
 #include <ridgemap/options.h>
 
-#include <array>
 #include <vector>
 
 #include "kernel_sum.h"

@@ -2,7 +2,6 @@
 #include "kernel_merge.h"
 
 #include <algorithm>
-#include <array>
 
 namespace ridgemap
 {

@@ -145,19 +145,18 @@ RidgeTracer::Proposal RidgeTracer::propose(const State& state, double h) const
 	return proposal;
 }
 
-/** The step leaves the tile: end it at the crossing that is there. False if there is none. */
-bool RidgeTracer::finishAtBorder(const State& state, double h, Vec2 outside, Proposal& proposal) const
+/** The step leaves the tile: end it at the crossing that is there, if there is one. */
+void RidgeTracer::finishAtBorder(const State& state, double h, Vec2 outside, Proposal& proposal) const
 {
 	proposal.exits = true;
 	const auto exit = border_.exit(state.point.p, outside);
-	if (!exit) return false;
+	if (!exit) return;
 	TileBorder::Port* port = border_.match(*exit, state.tangent, 0.3 + 0.3 * h);
-	if (!port) return false;
+	if (!port) return;
 	proposal.exits = false;
 	proposal.port = port;
 	proposal.next.point = evaluate(port->crossing.p);
 	proposal.next.converged = true;
-	return true;
 }
 
 RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double reach) const
@@ -237,11 +236,10 @@ RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, con
 	return {error <= limit, error};
 }
 
-bool RidgeTracer::insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<RidgeNode>& nodes) const
+void RidgeTracer::insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<RidgeNode>& nodes) const
 {
 	const Relaxed middle = relax(0.5 * (a.p + b.p), leftNormal(unit(b.p - a.p)), a.v1, 1);
 	if (middle.converged && border_.contains(middle.point.p)) nodes.push_back(node(middle.point));
-	return middle.converged;
 }
 
 double RidgeTracer::nextStep(double h, const Relaxed& relaxed, const Verdict& verdict) const

@@ -73,11 +73,10 @@ class RidgeTracer
 	struct State;
 
 	Proposal propose(const State& state, double h) const;
-	bool finishAtBorder(const State& state, double h, Vec2 outside, Proposal& proposal) const;
+	void finishAtBorder(const State& state, double h, Vec2 outside, Proposal& proposal) const;
 	Verdict verify(const RidgePoint& a, Vec2 tangentA, const RidgePoint& b, Vec2 tangentB) const;
-	bool insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<RidgeNode>& nodes) const;
+	void insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<RidgeNode>& nodes) const;
 	double nextStep(double h, const Relaxed& relaxed, const Verdict& verdict) const;
-	StopReason failure(const Proposal& proposal) const;
 	bool closesLoop(const State& state, const RidgePoint& next) const;
 	bool measurementNear(const RidgePoint& r, Vec2 tangent) const;
 
