@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Do the 95 % intervals of ridges cover the true wall in 95 % of cases?
-#include "../common/standard_error.h"
+#include <ridgemap/standard_error.h>
+
 #include "chart.h"
 #include "experiments.h"
 #include "made_up.h"

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Fig. 3: the error of a straight wall falls with the root of the number of measurements.
+#include <ridgemap/standard_error.h>
+
 #include "../common/evaluation.h"
-#include "../common/standard_error.h"
 #include "chart.h"
 #include "experiments.h"
 #include "made_up.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "tracer.h"
 
+#include <ridgemap/standard_error.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -22,11 +24,6 @@ double hermite(double h, double m0, double m1, double t)
 {
 	return h * (m0 * t * (1 - t) * (1 - t) - m1 * t * t * (1 - t));
 }
-
-RidgeNode node(const RidgePoint& r)
-{
-	return {r.p, {float(r.occupancy), float(-r.lambda1 / r.occupancy)}};
-}
 }  // namespace
 
 /** Where a walk stands. */
@@ -45,6 +42,15 @@ RidgeTracer::RidgeTracer(const TileField& field, TileBorder& border, const Optio
 	: field_(field), border_(border), options_(options), pieces_(pieces), eps_(options.effectiveEps() / options.sigma)
 {
 	tolerance_ = std::max(1e-5, std::min(1e-3, 0.05 * eps_));
+}
+
+RidgeNode RidgeTracer::node(const RidgePoint& r) const
+{
+	RidgeNode n{r.p, {}};
+	n.info.occupancy = float(r.occupancy);
+	n.info.curvature = float(-r.lambda1 / r.occupancy);
+	n.info.standardError = float(ridgeUncertainty(n.info, options_.sigma).standardError);
+	return n;
 }
 
 RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) const

@@ -72,6 +72,7 @@ class RidgeTracer
 	};
 	struct State;
 
+	RidgeNode node(const RidgePoint& r) const;
 	Proposal propose(const State& state, double h) const;
 	void finishAtBorder(const State& state, double h, Vec2 outside, Proposal& proposal) const;
 	Verdict verify(const RidgePoint& a, Vec2 tangentA, const RidgePoint& b, Vec2 tangentB) const;

@@ -62,10 +62,13 @@ struct VertexInfo
 {
 	float occupancy = 0;  ///< L [kernels]; 0: the vertex was added by a wall pass and lies on no ridge
 	float curvature = 0;  ///< -lambda1/L times sigma^2: 1/(1 + (s/sigma)^2) on a straight wall with noise s across it
+	/** How far chance may have moved the vertex across the wall, one standard deviation [m]; infinite where that cannot
+	 * be told, as for vertices that a wall pass added. See ridgeUncertainty() for what it means and for intervals. */
+	float standardError = std::numeric_limits<float>::infinity();
 
 	friend bool operator==(const VertexInfo& a, const VertexInfo& b)
 	{
-		return a.occupancy == b.occupancy && a.curvature == b.curvature;
+		return a.occupancy == b.occupancy && a.curvature == b.curvature && a.standardError == b.standardError;
 	}
 };
 

@@ -2,9 +2,11 @@
 // The statistical error of a ridge against numeric integrals, tables and simulated walls.
 #include <gtest/gtest.h>
 #include <ridgemap/ridge_map.h>
+#include <ridgemap/standard_error.h>
 
-#include "../../apps/common/random.h"
-#include "../../apps/common/standard_error.h"
+#include <cmath>
+
+#include "scenes.h"
 
 namespace ridgemap::test
 {
@@ -51,24 +53,38 @@ TEST(StandardError, whereNothingCanBeTold)
 	EXPECT_EQ(ridgeUncertainty({10, 1.01f}, 0.1).noise, 0);
 }
 
+TEST(StandardError, everyVertexCarriesIt)
+{
+	const double sigma = 0.1;
+	Options options;
+	options.sigma = sigma;
+	RidgeMap map(options);
+	// An L: its sharpened corner and its trimmed ends lie on no ridge.
+	map.insert(SceneBuilder(5, sigma, 0.33, 30).wall({0, 0}, {40, 0}).wall({40, 0}, {40, 30}).finish());
+	std::size_t known = 0, added = 0;
+	for (const auto* lines : {&map.ridges(), &map.walls()})
+		for (const Polyline& line : *lines)
+			for (const VertexInfo& v : line.info)
+			{
+				EXPECT_EQ(v.standardError, float(ridgeUncertainty(v, sigma).standardError));
+				EXPECT_EQ(std::isinf(v.standardError), v.occupancy == 0);
+				(std::isinf(v.standardError) ? added : known)++;
+			}
+	EXPECT_GT(known, 40u);
+	EXPECT_GE(added, 3u);
+}
+
 TEST(StandardError, intervalsCoverTheWall)
 {
-	const double sigma = 0.1, noise = 0.033;
+	const double sigma = 0.1;
 	int covered = 0, places = 0;
 	for (std::uint64_t seed = 0; seed < 150; seed++)
 	{
-		apps::Random random(seed);
-		std::vector<Measurement> points(random.poisson(100 * 5));
-		for (Measurement& m : points)
-		{
-			m.x = random.uniform(0, 5);
-			m.y = noise * random.normal();
-		}
 		Options options;
 		options.sigma = sigma;
 		options.eps = sigma / 500;
 		RidgeMap map(options);
-		map.insert(points);
+		map.insert(SceneBuilder(seed, sigma, 0.33, 10).wall({0, 0}, {50, 0}).finish());
 		for (const Polyline& p : map.walls())
 			for (std::size_t i = 1; i < p.points.size(); i++)
 				for (double x = 0.6; x < 4.5; x += 0.3)
