@@ -18,6 +18,8 @@ constexpr const char* description =
 	"ICP-SLAM), a .csv, .txt or .xyz of points 'x y' in the map frame, or the .ridgemap of an earlier run. Several "
 	"inputs are merged.";
 
+constexpr int defaultFormats = 8;  ///< so many of allFormats() are written if the user does not choose
+
 constexpr const char* shuffleHelp =
 	"Feed the measurements in a random order. The files come out the same: the map keeps exact integer sums of the "
 	"measurements, and its polylines are a pure function of these, so order and batches leave no trace. Without "
@@ -69,8 +71,15 @@ struct Arguments
 	TCLAP::CmdLine cmd{description, ' ', RIDGEMAP_VERSION};
 	TCLAP::UnlabeledMultiArg<std::string> inputs{"INPUT", "Files to build the map from", false, "INPUT", cmd};
 	TCLAP::SwitchArg quiet{"q", "quiet", "No progress and no summary", cmd};
-	TCLAP::ValueArg<std::string> formats{
-		"", "formats", "Files to write: some of " + joined(allFormats()) + " (default: all)", false, "", "LIST", cmd};
+	TCLAP::ValueArg<std::string> formats{"",
+										 "formats",
+										 "Files to write: some of " + joined(allFormats()) + " (default: the first " +
+											 std::to_string(defaultFormats) + ")",
+										 false,
+										 "",
+										 "LIST",
+										 cmd};
+	TCLAP::SwitchArg errors{"", "errors", "Colour the walls in the pictures by their standard errors", cmd};
 	TCLAP::ValueArg<std::string> threads{
 		"", "threads", "Threads to compute with; the files do not depend on it (default: 1)", false, "", "N", cmd};
 	TCLAP::ValueArg<std::string> batch{
@@ -103,7 +112,9 @@ struct Arguments
 		"o",
 		"output",
 		"Where to write: PREFIX.ridgemap, PREFIX_ridges.csv, PREFIX_walls.csv, PREFIX_measurements.csv, PREFIX.png, "
-		"PREFIX.svg, PREFIX.3Dscene and PREFIX_stats.json",
+		"PREFIX.svg, PREFIX.3Dscene and PREFIX_stats.json. The formats ridge_vertices and wall_vertices "
+		"(PREFIX_ridge_vertices.csv, "
+		"PREFIX_wall_vertices.csv) hold occupancy, noise, standard error and 95 % interval of every node, too",
 		false,
 		"",
 		"PREFIX",
@@ -127,7 +138,10 @@ CommandLine readArguments(Arguments& a)
 		c.batch = parseInteger<std::size_t>("--batch", a.batch.getValue(), 1, "give a whole number from 1");
 	if (a.threads.isSet())
 		c.threads = parseInteger<unsigned>("--threads", a.threads.getValue(), 1, "give a whole number from 1");
-	c.formats = parseFormats(a.formats.isSet() ? a.formats.getValue() : joined(allFormats()));
+	const auto firstOthers = allFormats().begin() + defaultFormats;
+	c.formats = a.formats.isSet() ? parseFormats(a.formats.getValue())
+								  : std::set<std::string>(allFormats().begin(), firstOthers);
+	c.errors = a.errors.getValue();
 	c.quiet = a.quiet.getValue();
 	c.dumpConfig = a.dumpConfig.getValue();
 	return c;
@@ -149,8 +163,8 @@ void check(const CommandLine& c)
 
 const std::vector<std::string>& allFormats()
 {
-	static const std::vector<std::string> names{"ridgemap", "ridges", "walls",   "measurements",
-												"png",      "svg",    "3dscene", "stats"};
+	static const std::vector<std::string> names{"ridgemap", "ridges",  "walls", "measurements",   "png",
+												"svg",      "3dscene", "stats", "ridge_vertices", "wall_vertices"};
 	return names;
 }
 

@@ -23,11 +23,12 @@ struct CommandLine
 	std::size_t batch = 0;  ///< measurements per update; 0: scan by scan
 	unsigned threads = 1;
 	std::set<std::string> formats;
+	bool errors = false;  ///< colour the walls in the pictures by their standard errors
 	bool quiet = false;
 	bool dumpConfig = false;
 };
 
-/** All names that --formats knows. */
+/** All names that --formats knows; those of the files that are written by default come first. */
 const std::vector<std::string>& allFormats();
 
 /** Throws UserError for wrong usage; nothing if the user asked for help or the version, which is then on stdout. */

@@ -110,7 +110,7 @@ int run(int argc, char** argv)
 	}
 	const EarlierMaps maps = checkInputs(*c);
 	chooseOptions(settings, maps);
-	Outputs outputs(c->prefix, c->formats);
+	Outputs outputs(c->prefix, c->formats, c->errors);
 	catchInterrupts();
 	build(*c, settings, maps, outputs);
 	return 0;

@@ -33,7 +33,8 @@ mrpt::opengl::CSetOfLines::Ptr pathLines(const std::vector<std::vector<Point2>>&
 
 }  // namespace
 
-Outputs::Outputs(const std::string& prefix, const std::set<std::string>& formats) : prefix_(prefix), formats_(formats)
+Outputs::Outputs(const std::string& prefix, const std::set<std::string>& formats, bool standardErrors)
+	: prefix_(prefix), formats_(formats), standardErrors_(standardErrors)
 {
 	createDirectory();
 	try
@@ -73,11 +74,16 @@ void Outputs::createDirectory()
 
 std::string Outputs::pathOf(const std::string& format) const
 {
-	static const std::map<std::string, std::string> suffixes{
-		{"ridgemap", ".ridgemap"}, {"ridges", "_ridges.csv"},
-		{"walls", "_walls.csv"},   {"measurements", "_measurements.csv"},
-		{"png", ".png"},           {"svg", ".svg"},
-		{"3dscene", ".3Dscene"},   {"stats", "_stats.json"}};
+	static const std::map<std::string, std::string> suffixes{{"ridgemap", ".ridgemap"},
+															 {"ridges", "_ridges.csv"},
+															 {"walls", "_walls.csv"},
+															 {"measurements", "_measurements.csv"},
+															 {"png", ".png"},
+															 {"svg", ".svg"},
+															 {"3dscene", ".3Dscene"},
+															 {"stats", "_stats.json"},
+															 {"ridge_vertices", "_ridge_vertices.csv"},
+															 {"wall_vertices", "_wall_vertices.csv"}};
 	return prefix_ + suffixes.at(format);
 }
 
@@ -112,6 +118,7 @@ void Outputs::writePictures(const CRidgeMap2D& map, const std::vector<std::vecto
 	drawing.measurements = map.core().cellCentroids();
 	drawing.paths = robotPaths;
 	drawing.title = title;
+	drawing.standardErrors = standardErrors_;
 	keep("svg", [&](AtomicFile& file) { writeSvg(file.stream(), drawing); });
 	keep("png",
 		 [&](AtomicFile& file)
@@ -144,6 +151,9 @@ void Outputs::write(const CRidgeMap2D& map, const std::vector<std::vector<Point2
 		keep("ridgemap", [&](AtomicFile& file) { saveRidgeMap(file.temporaryPath(), map); });
 		keep("ridges", [&](AtomicFile& file) { writePolylinesCsv(file.stream(), map.ridges()); });
 		keep("walls", [&](AtomicFile& file) { writePolylinesCsv(file.stream(), map.walls()); });
+		const double sigma = map.options().sigma;
+		keep("ridge_vertices", [&](AtomicFile& file) { writeVerticesCsv(file.stream(), map.ridges(), sigma); });
+		keep("wall_vertices", [&](AtomicFile& file) { writeVerticesCsv(file.stream(), map.walls(), sigma); });
 		if (measurements_)
 		{
 			measurements_->finish();

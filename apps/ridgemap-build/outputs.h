@@ -21,7 +21,7 @@ class Outputs
  public:
 	/** Creates the directory of the prefix if only this is missing, and tries whether all files can be written.
 	 * Throws UserError if not. */
-	Outputs(const std::string& prefix, const std::set<std::string>& formats);
+	Outputs(const std::string& prefix, const std::set<std::string>& formats, bool standardErrors);
 	~Outputs();
 	Outputs(const Outputs&) = delete;
 	Outputs& operator=(const Outputs&) = delete;
@@ -40,6 +40,7 @@ class Outputs
  private:
 	const std::string prefix_;
 	const std::set<std::string> formats_;
+	const bool standardErrors_;     ///< pictures show them
 	std::string createdDirectory_;  ///< removed again if no file is written
 	std::optional<AtomicFile> measurements_;
 	std::vector<AtomicFile> finished_;

@@ -76,6 +76,26 @@ TEST(Png, odditiesDoNotStopIt)
 	EXPECT_THROW(encodePng(d), std::invalid_argument);
 }
 
+TEST(Png, standardErrorsAreColours)
+{
+	Drawing d = oneWall();
+	d.standardErrors = true;
+	d.lines[0].info = {{10, 0.9f, 0.001f}, {10, 0.9f, 0.001f}, {10, 0.9f, 0.05f}};
+	Polyline unknown;
+	unknown.points = {{0, 5}, {4, 5}};
+	unknown.info.resize(2);
+	d.lines.push_back(unknown);
+	const cv::Mat image = cv::imdecode(encodePng(d), cv::IMREAD_COLOR);
+	EXPECT_EQ(pixelAt(image, 3, 0, 30), cv::Vec3b(156, 78, 31));    // small: blue
+	EXPECT_EQ(pixelAt(image, 10, 5, 30), cv::Vec3b(43, 24, 178));   // large: red
+	EXPECT_EQ(pixelAt(image, 2, 5, 30), cv::Vec3b(162, 154, 150));  // unknown: grey
+	const std::string svg = svgOf(d);
+	for (const char* word : {"standard error [mm]", ">1</text>", ">10</text>", ">none</text>"})
+		EXPECT_NE(svg.find(word), std::string::npos) << word;
+	d.lines.clear();
+	EXPECT_FALSE(encodePng(d).empty());
+}
+
 TEST(Svg, linesAreInMetres)
 {
 	Drawing d = oneWall();
@@ -117,6 +137,33 @@ TEST(PolylineCsv, numbersComeBackExactly)
 		EXPECT_EQ(y, p.y);
 	}
 	EXPECT_FALSE(std::getline(in, line));
+}
+
+TEST(VerticesCsv, whatIsKnownAndWhatIsNot)
+{
+	Polyline line;
+	line.points = {{0.1, 2}, {3, 4}};
+	line.info = {{100, 0.8f}, {}};
+	std::ostringstream out;
+	writeVerticesCsv(out, {line}, 0.1);
+	std::istringstream in(out.str());
+	std::string text;
+	std::getline(in, text);
+	EXPECT_EQ(text, "polyline,x,y,occupancy,noise,standard_error,half_width_95");
+	std::getline(in, text);
+	int k = -1;
+	double v[6] = {};
+	ASSERT_EQ(std::sscanf(text.c_str(), "%d,%lf,%lf,%lf,%lf,%lf,%lf", &k, &v[0], &v[1], &v[2], &v[3], &v[4], &v[5]), 7);
+	EXPECT_EQ(k, 0);
+	EXPECT_EQ(v[0], 0.1);
+	EXPECT_EQ(v[2], 100);
+	EXPECT_NEAR(v[3], 0.05, 1e-6);  // 1/(1 + s^2/sigma^2) = 0.8
+	// s^2/(sqrt(2) L) (1 + q)^2.5/(1 + 2q)^1.5 with q = 1/4, and one and a half of 154.9 measurements used up
+	EXPECT_NEAR(v[4], 0.05 * std::sqrt(1.7469281 / 1.8371173 / 141.42136 * 154.91933 / 153.41933), 1e-6);
+	EXPECT_NEAR(v[5] / v[4], 1.9755, 1e-3);
+	std::getline(in, text);
+	EXPECT_EQ(text, "0,3,4,,,,");
+	EXPECT_FALSE(std::getline(in, text));
 }
 
 TEST(AtomicFile, appearsOnCommitOnly)

@@ -120,6 +120,19 @@ TEST_F(OutputFiles, chosenFormatsOnly)
 	EXPECT_FALSE(std::filesystem::exists(dir / "made/few_stats.json"));
 }
 
+TEST_F(OutputFiles, verticesOnDemand)
+{
+	ASSERT_EQ(runBuild({dir / "map.ridgemap", "-o", dir / "v", "--formats", "ridge_vertices,wall_vertices,svg", "-q",
+						"--errors"})
+				  .code,
+			  0);
+	const auto lines = [](const std::string& text) { return std::count(text.begin(), text.end(), '\n'); };
+	EXPECT_EQ(lines(readFile(dir / "v_ridge_vertices.csv")), lines(readFile(dir / "map_ridges.csv")));
+	EXPECT_EQ(lines(readFile(dir / "v_wall_vertices.csv")), lines(readFile(dir / "map_walls.csv")));
+	EXPECT_NE(readFile(dir / "v.svg").find("standard error [mm]"), std::string::npos);
+	EXPECT_EQ(readFile(dir / "map.svg").find("standard error [mm]"), std::string::npos);
+}
+
 TEST_F(OutputFiles, infoAgreesWithTheStatistics)
 {
 	const RunResult json = runInfo({dir / "map.ridgemap", "--json"});
@@ -158,7 +171,7 @@ TEST(Help, namesEveryOptionAndTellsWhyOrderDoesNotMatter)
 	EXPECT_EQ(help.code, 0);
 	EXPECT_EQ(help.err, "");
 	for (const char* word : {"--config", "--sigma", "--eps", "--set", "--poses", "--odometry", "--shuffle", "--batch",
-							 "--threads", "--formats", "--quiet", "--dump-config", "pure function"})
+							 "--threads", "--formats", "--errors", "--quiet", "--dump-config", "pure function"})
 		EXPECT_NE(help.out.find(word), std::string::npos) << word;
 	EXPECT_EQ(runBuild({"--version"}).code, 0);
 	EXPECT_EQ(runInfo({"--help"}).code, 0);

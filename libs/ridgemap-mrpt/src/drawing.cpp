@@ -1,33 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "drawing_canvas.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+
+#include "drawing_canvas.h"
+#include "drawing_errors.h"
 
 namespace ridgemap::drawing
 {
 namespace
 {
 constexpr Color dark{24, 28, 44}, dots{180, 203, 228}, orange{240, 128, 24}, grey{110, 116, 128}, faint{236, 238, 242};
-
-/** The next value of the series 1, 2, 5, 10, ... (times powers of ten) that is not below x. */
-double niceStep(double x)
-{
-	const double decade = std::pow(10.0, std::floor(std::log10(x)));
-	for (const double m : {1.0, 2.0, 5.0})
-		if (m * decade >= x * (1 - 1e-9)) return m * decade;
-	return 10 * decade;
-}
-
-std::string number(double v, double step)
-{
-	const int decimals = std::max(0, int(std::ceil(-std::log10(step) - 1e-9)));
-	char s[64];
-	std::snprintf(s, sizeof(s), "%.*f", decimals, std::abs(v) < step / 2 ? 0.0 : v);
-	return s;
-}
+constexpr double legendBottom = 145;  ///< below the frame, in units of Layout::unit
 
 /** Lines and paths decide what is shown; measurements only where there is nothing else, because a few stray returns
  * far outside would make the map small. */
@@ -85,16 +70,30 @@ void drawAxes(Canvas& c, const Layout& l)
 			 [&](double x)
 			 {
 				 c.line(l.px(x), bottom, l.px(x), bottom + tick, w, grey);
-				 c.text(l.px(x), bottom + tick + 1.15 * size, number(x, step), size, Anchor::middle, grey);
+				 c.text(l.px(x), bottom + tick + 1.15 * size, numberText(x, step), size, Anchor::middle, grey);
 			 });
 	forTicks(l.box.min.y, l.box.max.y, step,
 			 [&](double y)
 			 {
 				 c.line(l.left - tick, l.py(y), l.left, l.py(y), w, grey);
-				 c.text(l.left - 1.6 * tick, l.py(y) + 0.36 * size, number(y, step), size, Anchor::right, grey);
+				 c.text(l.left - 1.6 * tick, l.py(y) + 0.36 * size, numberText(y, step), size, Anchor::right, grey);
 			 });
 	c.text(l.left + l.width / 2, bottom + tick + 2.45 * size, "x [m]", size, Anchor::middle, grey);
 	c.verticalText(l.left - 100 * u, l.top + l.height / 2, "y [m]", size, grey);
+}
+
+void drawWalls(Canvas& c, const Layout& l, const Drawing& d)
+{
+	if (d.standardErrors)
+	{
+		const ErrorScale scale(d.lines);
+		scale.drawLines(c, l, d.lines);
+		scale.drawLegend(c, l, legendBottom + 20);
+		return;
+	}
+	std::vector<const std::vector<Point2>*> lines;
+	for (const Polyline& line : d.lines) lines.push_back(&line.points);
+	if (!lines.empty()) c.mapLines(lines, 2.8 * l.unit, dark);
 }
 
 /** Below the frame on the left: a bar of a round number of metres. */
@@ -105,7 +104,7 @@ void drawScaleBar(Canvas& c, const Layout& l)
 	c.line(l.left, y, l.left + length, y, 4 * u, dark);
 	c.line(l.left, y - cap, l.left, y + cap, 3 * u, dark);
 	c.line(l.left + length, y - cap, l.left + length, y + cap, 3 * u, dark);
-	c.text(l.left + length + 16 * u, y + 0.36 * size, number(metres, metres) + " m", size, Anchor::left, dark);
+	c.text(l.left + length + 16 * u, y + 0.36 * size, numberText(metres, metres) + " m", size, Anchor::left, dark);
 }
 
 /** Below the frame on the right, from right to left. */
@@ -122,10 +121,26 @@ void drawLegend(Canvas& c, const Layout& l, const Drawing& d)
 	};
 	if (!d.paths.empty()) entry("robot path", 2 * u, orange);
 	if (!d.measurements.empty()) entry("measurements", 8 * u, dots);
-	if (!d.lines.empty()) entry("walls", 3 * u, dark);
+	if (!d.lines.empty() && !d.standardErrors) entry("walls", 3 * u, dark);
 }
 
 }  // namespace
+
+double niceStep(double x)
+{
+	const double decade = std::pow(10.0, std::floor(std::log10(x)));
+	for (const double m : {1.0, 2.0, 5.0})
+		if (m * decade >= x * (1 - 1e-9)) return m * decade;
+	return 10 * decade;
+}
+
+std::string numberText(double v, double step)
+{
+	const int decimals = std::max(0, int(std::ceil(-std::log10(step) - 1e-9)));
+	char s[64];
+	std::snprintf(s, sizeof(s), "%.*f", decimals, std::abs(v) < step / 2 ? 0.0 : v);
+	return s;
+}
 
 Layout makeLayout(const Drawing& drawing)
 {
@@ -142,7 +157,8 @@ Layout makeLayout(const Drawing& drawing)
 	l.left = 130 * l.unit;
 	l.top = (drawing.title.empty() ? 30 : 70) * l.unit;
 	l.pageWidth = std::ceil(l.left + l.width + 40 * l.unit);
-	l.pageHeight = std::ceil(l.top + l.height + 145 * l.unit);
+	l.pageHeight = std::ceil(l.top + l.height + legendBottom * l.unit);
+	if (drawing.standardErrors) l.pageHeight += std::ceil(ErrorScale::legendHeight * l.unit);
 	return l;
 }
 
@@ -173,9 +189,7 @@ void draw(Canvas& c, const Layout& l, const Drawing& d)
 	std::vector<const std::vector<Point2>*> lines;
 	for (const auto& path : d.paths) lines.push_back(&path);
 	if (!lines.empty()) c.mapLines(lines, 1.6 * l.unit, orange);
-	lines.clear();
-	for (const Polyline& line : d.lines) lines.push_back(&line.points);
-	if (!lines.empty()) c.mapLines(lines, 2.8 * l.unit, dark);
+	drawWalls(c, l, d);
 	drawAxes(c, l);
 	drawScaleBar(c, l);
 	drawLegend(c, l, d);

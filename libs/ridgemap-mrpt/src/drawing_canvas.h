@@ -52,6 +52,12 @@ class Canvas
 	virtual void verticalText(double x, double y, const std::string& s, double size, Color color) = 0;
 };
 
+/** The next value of the series 1, 2, 5, 10, ... (times powers of ten) that is not below x > 0. */
+double niceStep(double x);
+
+/** A number with the decimals that a step of this size needs. */
+std::string numberText(double v, double step);
+
 /** Chooses the part of the map to show and the size of the page. */
 Layout makeLayout(const Drawing& drawing);
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ridgemap/atomic_file.h>
 #include <ridgemap/polyline_csv.h>
+#include <ridgemap/standard_error.h>
 
 #include <charconv>
+#include <cmath>
 #include <ostream>
 
 namespace ridgemap
@@ -15,7 +17,7 @@ char* append(char* p, char* end, double v)
 	return std::to_chars(p, end, v, std::chars_format::general, 17).ptr;
 }
 
-constexpr std::size_t maxLine = 96;
+constexpr std::size_t maxLine = 192;
 
 void appendXY(char* p, char* end, double x, double y, char* begin, std::ostream& out)
 {
@@ -46,6 +48,33 @@ void writePolylinesCsv(const std::string& path, const std::vector<Polyline>& pol
 	AtomicFile file(path);
 	writePolylinesCsv(file.stream(), polylines);
 	file.commit();
+}
+
+void writeVerticesCsv(std::ostream& out, const std::vector<Polyline>& polylines, double sigma)
+{
+	out << "polyline,x,y,occupancy,noise,standard_error,half_width_95\n";
+	char line[maxLine];
+	char* const end = line + maxLine;
+	for (std::size_t i = 0; i < polylines.size(); i++)
+		for (std::size_t k = 0; k < polylines[i].points.size(); k++)
+		{
+			const VertexInfo info = k < polylines[i].info.size() ? polylines[i].info[k] : VertexInfo();
+			const RidgeUncertainty u = ridgeUncertainty(info, sigma);
+			char* at = std::to_chars(line, end, i).ptr;
+			const auto field = [&](double v, bool known, int digits)
+			{
+				*at++ = ',';
+				if (known) at = std::to_chars(at, end, v, std::chars_format::general, digits).ptr;
+			};
+			field(polylines[i].points[k].x, true, 17);
+			field(polylines[i].points[k].y, true, 17);
+			field(double(info.occupancy), info.occupancy > 0, 9);
+			field(u.noise, info.occupancy > 0 && info.curvature > 0, 6);
+			field(u.standardError, std::isfinite(u.standardError), 6);
+			field(u.halfWidth95, std::isfinite(u.halfWidth95), 6);
+			*at++ = '\n';
+			out.write(line, at - line);
+		}
 }
 
 void writePointsCsvHeader(std::ostream& out)

@@ -29,8 +29,8 @@ double studentQuantile95(double dof);
 double noiseAcross(double curvature, double sigma);
 
 /** Variance [m^2] of the offset across the wall of a ridge with occupancy L [kernels, > 0] on a straight wall with
- * normal noise s across it [m]: measurements are a Poisson process along the wall, the variance is of first order in 1/L.
- * With `density` measurements per metre
+ * normal noise s across it [m]: measurements are a Poisson process along the wall, the variance is of first order in
+ * 1/L. With `density` measurements per metre
  *
  *   Var(offset) = Var(f) / (df/dy)^2 with f = <grad L, v1> = sum of -(y - y_i)/sigma^2 K_i, K = exp(-r^2/(2 sigma^2)),
  *   Var(f)      = density * integral of (y^2/sigma^4) K^2 = density sqrt(pi) s^2 / (sigma^2 + 2 s^2)^(3/2),

@@ -16,8 +16,10 @@ struct Drawing
 	std::vector<Polyline> lines;             ///< walls or ridges: crisp dark lines
 	std::vector<Point2> measurements;        ///< faint dots beneath the lines
 	std::vector<std::vector<Point2>> paths;  ///< robot paths: thin orange lines
-	std::string title;                       ///< one line of UTF-8 above the picture
-	int longerSide = 2000;                   ///< longer side of the map in the picture [pixels], 100 .. 8000
+	/** Lines coloured by the standard errors of their vertices, with a scale below, instead of dark. */
+	bool standardErrors = false;
+	std::string title;      ///< one line of UTF-8 above the picture
+	int longerSide = 2000;  ///< longer side of the map in the picture [pixels], 100 .. 8000
 };
 
 /** Writes the picture as SVG: the map in metres (y up, by one transform), axes in metres, a scale bar, a legend.
