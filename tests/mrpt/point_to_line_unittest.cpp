@@ -100,14 +100,14 @@ TEST(PointToLine, LoneMeasurementsAreTargetsOnlyFarFromPolylines)
 	settings.loneDistance = 0.1;
 	const MatchingTargets with(wall, {{0.5, 0.05}, {0.5, 0.5}, {2, 2}}, settings);
 	const MatchingTargets without(wall, {{0.5, 0.05}, {0.5, 0.5}, {2, 2}}, {});
-	EXPECT_EQ(with.size(), without.size() + 2);
+	EXPECT_EQ(with.points().size(), without.points().size() + 2);
 	const auto lone = with.nearest({2.1, 2}, 1);
 	ASSERT_TRUE(lone);
-	EXPECT_TRUE(lone->lone);
-	EXPECT_NEAR(lone->distance, 0.1, 1e-12);
-	EXPECT_EQ(lone->index, with.size() - 1);
+	EXPECT_TRUE(with.isLone(*lone));
+	EXPECT_NEAR(lone->distanceSqr, 0.01, 1e-12);
+	EXPECT_EQ(with.pointOf(*lone), with.points().size() - 1);
 	EXPECT_FALSE(without.nearest({2.1, 2}, 1));
-	EXPECT_FALSE(with.nearest({0.5, 0.1}, 1)->lone);
+	EXPECT_FALSE(with.isLone(*with.nearest({0.5, 0.1}, 1)));
 }
 
 TEST(PointToLine, NothingToAlignWith)

@@ -144,8 +144,8 @@ const mrpt::maps::CSimplePointsMap* CRidgeMap2D::getAsSimplePointsMap() const
 				[&]
 				{
 					auto map = std::make_shared<mrpt::maps::CSimplePointsMap>();
-					map->reserve(targets->size());
-					targets->forEachPoint([&](const Point2& p) { map->insertPointFast(float(p.x), float(p.y), 0); });
+					map->reserve(targets->points().size());
+					for (const Point2& p : targets->points()) map->insertPointFast(float(p.x), float(p.y), 0);
 					map->mark_as_modified();
 					return map;
 				})

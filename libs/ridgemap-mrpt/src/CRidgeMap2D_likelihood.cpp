@@ -5,28 +5,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ridgemap
 {
 namespace
 {
-/** Log-likelihood of one beam that ends at distance d from the nearest polyline; finite whatever the options. */
-double beamLogLikelihood(double d, const TLikelihoodOptions& o)
+/** Log-likelihood of one beam that ends at a distance from the nearest polyline; finite whatever the options. */
+class BeamModel
 {
-	const double z = d / o.sigmaHit;
-	const double p = o.zRand / o.zMax + o.zHit * std::exp(-0.5 * z * z);
-	constexpr double least = 1e-300;
-	return std::log(p > least ? std::min(p, 1 / least) : least);
-}
+ public:
+	explicit BeamModel(const TLikelihoodOptions& o)
+		: random_(o.zRand / o.zMax), hit_(o.zHit), perVariance_(-0.5 / (o.sigmaHit * o.sigmaHit))
+	{
+	}
 
-/** Unit vector of ray i in the frame of the sensor; spacing aperture/(N-1) as in MRPT's points maps. */
-Point2 rayDirection(const mrpt::obs::CObservation2DRangeScan& scan, std::size_t i)
+	double operator()(double distanceSqr) const
+	{
+		constexpr double least = 1e-300;
+		const double p = random_ + hit_ * std::exp(perVariance_ * distanceSqr);
+		return std::log(p > least ? std::min(p, 1 / least) : least);
+	}
+
+ private:
+	double random_, hit_, perVariance_;
+};
+
+/** Unit vectors of every `decimation`-th ray of a scan in the frame of the sensor, one after the other; spacing
+ * aperture/(N-1) as in MRPT's points maps. Each is the one before, turned: sines would take longer than the search. */
+class Rays
 {
-	const std::size_t n = scan.getScanSize();
-	const double step = n > 1 ? double(scan.aperture) / double(n - 1) : 0;
-	const double angle = (n > 1 ? -0.5 * double(scan.aperture) : 0) + step * double(i);
-	return {std::cos(angle), scan.rightToLeft ? std::sin(angle) : -std::sin(angle)};
-}
+ public:
+	Rays(const mrpt::obs::CObservation2DRangeScan& scan, std::size_t decimation)
+	{
+		const std::size_t n = scan.getScanSize();
+		const double left = scan.rightToLeft ? 1 : -1;
+		const double first = n > 1 ? -0.5 * left * double(scan.aperture) : 0;
+		const double step = n > 1 ? left * double(scan.aperture) / double(n - 1) * double(decimation) : 0;
+		ray_ = {std::cos(first), std::sin(first)};
+		turn_ = {std::cos(step), std::sin(step)};
+	}
+
+	const Point2& operator*() const { return ray_; }
+	void operator++() { ray_ = {ray_.x * turn_.x - ray_.y * turn_.y, ray_.x * turn_.y + ray_.y * turn_.x}; }
+
+ private:
+	Point2 ray_, turn_;
+};
 }  // namespace
 
 bool CRidgeMap2D::internal_canComputeObservationLikelihood(const mrpt::obs::CObservation& obs) const
@@ -43,20 +68,26 @@ double CRidgeMap2D::internal_computeObservationLikelihood(const mrpt::obs::CObse
 	const auto index = o.target == LikelihoodTarget::walls ? wallIndex() : ridgeIndex();
 	const mrpt::poses::CPose3D sensor = takenFrom + scan->sensorPose;
 	const auto& rotation = sensor.getRotationMatrix();
-	const double farBeam = beamLogLikelihood(o.maxDistance, o);
-	double sum = 0;
-	for (std::size_t i = 0; i < scan->getScanSize(); i += std::max(1u, o.decimation))
+	const BeamModel model(o);
+	const double farthestSqr = o.maxDistance * o.maxDistance, farBeam = model(farthestSqr);
+	const std::size_t step = std::max(1u, o.decimation);
+	thread_local std::vector<Point2> ends;
+	thread_local std::vector<double> distancesSqr;
+	ends.clear();
+	Rays ray(*scan, step);
+	for (std::size_t i = 0; i < scan->getScanSize(); i += step, ++ray)
 	{
 		const double range = scan->getScanRange(i);
 		if (!scan->getScanRangeValidity(i) ||
 			!(range >= insertionOptions.minRange && range <= insertionOptions.maxRange))
 			continue;
-		const Point2 u = rayDirection(*scan, i);
-		const Point2 end{sensor.x() + range * (rotation(0, 0) * u.x + rotation(0, 1) * u.y),
-						 sensor.y() + range * (rotation(1, 0) * u.x + rotation(1, 1) * u.y)};
-		const double d = index->distance(end, o.maxDistance);
-		sum += d < o.maxDistance ? beamLogLikelihood(d, o) : farBeam;
+		const Point2& u = *ray;
+		ends.push_back({sensor.x() + range * (rotation(0, 0) * u.x + rotation(0, 1) * u.y),
+						sensor.y() + range * (rotation(1, 0) * u.x + rotation(1, 1) * u.y)});
 	}
+	index->distancesSqr(ends, o.maxDistance, distancesSqr);
+	double sum = 0;
+	for (const double d : distancesSqr) sum += d < farthestSqr ? model(d) : farBeam;
 	return sum;
 }
 

@@ -64,10 +64,10 @@ void makePairs(const MatchingTargets& targets, const ChosenPoints& chosen, ToMap
 		const TPoint3D &local = chosen.points[i], global = toMap(local);
 		const auto target = targets.nearest({global.x, global.y}, gate(global));
 		if (!target) continue;
-		pairs.emplace_back(uint32_t(target->index), uint32_t(chosen.indices[i]), float(target->point.x),
+		pairs.emplace_back(uint32_t(targets.pointOf(*target)), uint32_t(chosen.indices[i]), float(target->point.x),
 						   float(target->point.y), float(global.z), float(local.x), float(local.y), float(local.z));
-		pairs.back().errorSquareAfterTransformation = float(target->distance * target->distance);
-		sumSqr += target->distance * target->distance;
+		pairs.back().errorSquareAfterTransformation = float(target->distanceSqr);
+		sumSqr += target->distanceSqr;
 	}
 	if (!chosen.points.empty()) extra.correspondencesRatio = float(double(pairs.size()) / double(chosen.points.size()));
 	extra.sumSqrDist = float(sumSqr);
@@ -177,7 +177,7 @@ float CRidgeMap2D::squareDistanceToClosestCorrespondence(float x0, float y0) con
 	constexpr float greatest = std::numeric_limits<float>::max();
 	const auto nearest = matchingTargets()->nearest({x0, y0}, std::numeric_limits<double>::infinity());
 	if (!nearest) return greatest;
-	return float(std::min(nearest->distance * nearest->distance, double(greatest)));
+	return float(std::min(nearest->distanceSqr, double(greatest)));
 }
 
 }  // namespace ridgemap

@@ -17,13 +17,14 @@ constexpr double smallestResidual = 1e-5;
 /** Keeps directions that no point speaks for as they are. */
 constexpr double damping = 1e-4;
 
-std::vector<Point2> loneMeasurements(const PolylineIndex& lines, const std::vector<Point2>& measurements,
-									 double distance)
+std::vector<Point2> loneMeasurements(const std::vector<Polyline>& polylines, const std::vector<Point2>& measurements,
+									 const TargetSettings& settings)
 {
 	std::vector<Point2> lone;
-	if (distance < 0) return lone;
+	if (settings.loneDistance < 0) return lone;
+	const PolylineIndex lines(polylines, settings.spacing);
 	for (const auto& p : measurements)
-		if (!lines.nearest(p, distance)) lone.push_back(p);
+		if (!lines.hasWithin(p, settings.loneDistance)) lone.push_back(p);
 	return lone;
 }
 
@@ -77,15 +78,18 @@ std::optional<PlanarPose> gaussNewtonStep(const MatchingTargets& targets, const 
 		const Point2 d{c * local.x - s * local.y, s * local.x + c * local.y}, p{pose.x + d.x, pose.y + d.y};
 		const auto target = targets.nearest(p, gate.at(p));
 		if (!target) continue;
-		const double r = target->distance, q = 1 + (r / scale) * (r / scale), w = 1 / (q * q);
+		const double r = std::sqrt(target->distanceSqr), q = 1 + target->distanceSqr / (scale * scale), w = 1 / (q * q);
 		const double dx = p.x - target->point.x, dy = p.y - target->point.y;
-		if (target->lone)
+		if (targets.isLone(*target))
 		{
 			sums.add(1, 0, d, dx, w);
 			sums.add(0, 1, d, dy, w);
 		}
 		else if (r < smallestResidual)
-			sums.add(target->normal.x, target->normal.y, d, target->normal.x * dx + target->normal.y * dy, w);
+		{
+			const Point2 n = targets.normal(*target);
+			sums.add(n.x, n.y, d, n.x * dx + n.y * dy, w);
+		}
 		else
 			sums.add(dx / r, dy / r, d, r, w);
 	}
@@ -98,27 +102,21 @@ double scoreOf(const MatchingTargets& targets, const std::vector<Point2>& points
 	double score = 0;
 	for (const auto& p : points)
 		if (const auto target = targets.nearest(pose * p, scoreReach))
-			score += 1 / (1 + target->distance * target->distance / (scoreScale * scoreScale));
+			score += 1 / (1 + target->distanceSqr / (scoreScale * scoreScale));
 	return score;
 }
 }  // namespace
 
 MatchingTargets::MatchingTargets(const std::vector<Polyline>& polylines, const std::vector<Point2>& measurements,
 								 const TargetSettings& settings)
-	: lines_(polylines, settings.spacing),
-	  lone_(settings.spacing, loneMeasurements(lines_, measurements, settings.loneDistance)),
-	  settings_(settings)
+	: settings_(settings), index_(polylines, settings.spacing, loneMeasurements(polylines, measurements, settings))
 {
 }
 
-std::optional<MatchingTargets::Target> MatchingTargets::nearest(const Point2& query, double maxDistance) const
+Point2 MatchingTargets::normal(const Foot& target) const
 {
-	const auto line = lines_.nearest(query, maxDistance);
-	const auto lone = lone_.nearest(query, line ? line->distance : maxDistance);
-	if (lone && !(line && line->distance <= lone->distance))
-		return Target{lone->point, lone->distance, lines_.samples().size() + lone->sample, true, {}};
-	if (!line) return std::nullopt;
-	return Target{line->point, line->distance, line->sample, false, {-line->direction.y, line->direction.x}};
+	const Point2 u = index_.direction(target.segment);
+	return {-u.y, u.x};
 }
 
 Point2 PlanarPose::operator*(const Point2& p) const

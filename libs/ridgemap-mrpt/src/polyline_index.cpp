@@ -2,22 +2,16 @@
 #include <ridgemap/polyline_index.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "candidate_cells.h"
 
 namespace ridgemap
 {
 namespace
 {
-/** Position of the foot of a point on a segment, 0 at `a` .. 1 at `b`. */
-double footParameter(const Point2& a, const Point2& b, const Point2& p)
-{
-	const double ux = b.x - a.x, uy = b.y - a.y;
-	const double lengthSqr = ux * ux + uy * uy;
-	if (!(lengthSqr > 0)) return 0;
-	return std::clamp(((p.x - a.x) * ux + (p.y - a.y) * uy) / lengthSqr, 0.0, 1.0);
-}
-
 /** The point at t; exactly a or b at the ends. */
 Point2 along(const Point2& a, const Point2& b, double t)
 {
@@ -25,39 +19,65 @@ Point2 along(const Point2& a, const Point2& b, double t)
 	return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
-double distanceSqr(const Point2& a, const Point2& b)
+/** The point of a segment nearest to p. */
+template <class Segment>
+Point2 footOn(const Segment& s, const Point2& p)
+{
+	const double t = ((p.x - s.a.x) * (s.b.x - s.a.x) + (p.y - s.a.y) * (s.b.y - s.a.y)) * s.perLengthSqr;
+	return along(s.a, s.b, std::max(0.0, t));
+}
+
+double squareBetween(const Point2& a, const Point2& b)
 {
 	const double dx = a.x - b.x, dy = a.y - b.y;
 	return dx * dx + dy * dy;
+}
+
+bool isFinite(const Point2& p)
+{
+	return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
 /** Relative error of coordinates, differences and distances in the single-precision tree, with room. */
 constexpr double treeError = 1e-6;
 /** Beyond this, squares of distances may leave the range of single precision [m]. */
 constexpr double treeReach = 1e15;
-/** A bucket is this number of samples wide. */
+/** A bucket is this number of samples wide; so many cells, too. */
 constexpr double bucketEdge = 5;
 /** Rings of buckets that are looked at before the tree is asked. */
 constexpr std::int64_t mostRings = 12;
+/** Cells know the segments up to this distance, in bucket edges. */
+constexpr double cellReach = 8;
 }  // namespace
 
-PolylineIndex::PolylineIndex(const std::vector<Polyline>& polylines, double spacing)
+PolylineIndex::PolylineIndex(const std::vector<Polyline>& polylines, double spacing, const std::vector<Point2>& points)
 {
 	if (!(spacing > 0)) throw std::invalid_argument("the spacing of a polyline index must be positive");
 	for (std::size_t i = 0; i < polylines.size(); i++) addPolyline(polylines[i], std::uint32_t(i), spacing);
-	fillBuckets(spacing);
+	firstPoint_ = segments_.size();
+	segments_.reserve(firstPoint_ + points.size());
+	samples_.reserve(samples_.size() + points.size());
+	sampleSegment_.reserve(samples_.size() + points.size());
+	for (std::size_t i = 0; i < points.size(); i++)
+	{
+		const auto sample = std::uint32_t(samples_.size());
+		sampleSegment_.push_back(std::uint32_t(segments_.size()));
+		addSegment(points[i], points[i], std::uint32_t(polylines.size() + i), 0);
+		ranges_.push_back({sample, 1, 0, 1});
+		samples_.push_back(points[i]);
+	}
+	if (segments_.empty()) return;
+	chooseBuckets(spacing);
+	fillBuckets();
 }
 
-PolylineIndex::PolylineIndex(double spacing, const std::vector<Point2>& points) : samples_(points)
+PolylineIndex::~PolylineIndex() = default;
+
+void PolylineIndex::addSegment(const Point2& a, const Point2& b, std::uint32_t polyline, std::uint32_t number)
 {
-	if (!(spacing > 0)) throw std::invalid_argument("the spacing of a polyline index must be positive");
-	segments_.reserve(points.size());
-	for (std::uint32_t i = 0; i < points.size(); i++)
-	{
-		segments_.push_back({points[i], points[i], i, 0, i, 1, 0, 1});
-		sampleSegment_.push_back(i);
-	}
-	fillBuckets(spacing);
+	const double lengthSqr = squareBetween(a, b), perLengthSqr = 1 / lengthSqr;
+	// So short a segment that this overflows is a point.
+	segments_.push_back({a, b, std::isfinite(perLengthSqr) ? perLengthSqr : 0, polyline, number});
 }
 
 void PolylineIndex::addPolyline(const Polyline& polyline, std::uint32_t number, double spacing)
@@ -72,8 +92,9 @@ void PolylineIndex::addPolyline(const Polyline& polyline, std::uint32_t number, 
 	for (std::size_t k = 1; k < points.size(); k++)
 	{
 		const Point2 &a = points[k - 1], &b = points[k];
-		const double parts = length > 0 ? std::sqrt(distanceSqr(a, b)) / length * n : 0;
-		segments_.push_back({a, b, number, std::uint32_t(k - 1), first, n, at, parts});
+		const double parts = length > 0 ? std::sqrt(squareBetween(a, b)) / length * n : 0;
+		addSegment(a, b, number, std::uint32_t(k - 1));
+		ranges_.push_back({first, n, at, parts});
 		const bool last = k + 1 == points.size();
 		for (std::uint32_t i = std::uint32_t(samples_.size()) - first; i < n && (last || i + 0.5 < at + parts); i++)
 		{
@@ -84,37 +105,59 @@ void PolylineIndex::addPolyline(const Polyline& polyline, std::uint32_t number, 
 	}
 }
 
-template <class Visit>
-void PolylineIndex::forEachBucket(const Segment& s, Visit&& visit) const
+void PolylineIndex::chooseBuckets(double spacing)
 {
-	const auto column = [&](double x) { return std::int64_t(std::floor((x - corner_.x) * perMetre_)); };
-	const auto row = [&](double y) { return std::int64_t(std::floor((y - corner_.y) * perMetre_)); };
-	const std::int64_t x1 = std::min(columns_ - 1, column(std::max(s.a.x, s.b.x)));
-	const std::int64_t y1 = std::min(rows_ - 1, row(std::max(s.a.y, s.b.y)));
-	for (std::int64_t y = row(std::min(s.a.y, s.b.y)); y <= y1; y++)
-		for (std::int64_t x = column(std::min(s.a.x, s.b.x)); x <= x1; x++) visit(std::size_t(y * columns_ + x));
-}
-
-void PolylineIndex::fillBuckets(double spacing)
-{
-	if (segments_.empty()) return;
 	Box2 box;
-	double reach = 0;
+	double lengths = 0;
 	for (const auto& s : segments_)
 	{
 		box.extend(s.a);
 		box.extend(s.b);
-		reach = std::max({reach, std::abs(s.b.x - s.a.x), std::abs(s.b.y - s.a.y)});
+		lengths += std::abs(s.b.x - s.a.x) + std::abs(s.b.y - s.a.y);
 	}
 	corner_ = box.min;
-	// Buckets narrower than the longest segment would hold it many times; wide empty maps must not eat the memory.
-	edge_ = std::max(bucketEdge * spacing, reach);
+	edge_ = bucketEdge * spacing;
 	const double width = box.max.x - box.min.x, height = box.max.y - box.min.y;
-	const double most = 64.0 * double(segments_.size()) + 4096;
-	while ((width / edge_ + 1) * (height / edge_ + 1) > most) edge_ *= 1.5;
+	// Wide empty maps and long segments must not eat the memory.
+	const double most = 64.0 * double(segments_.size()) + (1 << 18);
+	while ((width / edge_ + 1) * (height / edge_ + 1) + lengths / edge_ > most) edge_ *= 1.5;
 	perMetre_ = 1 / edge_;
 	columns_ = std::int64_t(width * perMetre_) + 1;
 	rows_ = std::int64_t(height * perMetre_) + 1;
+	slack_ = 1e-12 * (std::abs(corner_.x) + std::abs(corner_.y) + double(columns_ + rows_) * edge_);
+	// Robots look at a map from within, and a little beyond its walls.
+	const double margin = cellReach * edge_, cell = edge_ / bucketEdge;
+	const auto count = [&](double length) { return std::int64_t((length + 2 * margin) / cell) + 1; };
+	cells_ = std::make_unique<CandidateCells>(Point2{corner_.x - margin, corner_.y - margin}, cell, count(width),
+											  count(height));
+}
+
+template <class Visit>
+void PolylineIndex::forEachBucket(const Segment& s, Visit&& visit) const
+{
+	const auto clamped = [](double at, std::int64_t n)
+	{ return std::min(n - 1, std::max<std::int64_t>(0, std::int64_t(std::floor(at)))); };
+	const double ax = (s.a.x - corner_.x) * perMetre_, ay = (s.a.y - corner_.y) * perMetre_;
+	const double bx = (s.b.x - corner_.x) * perMetre_, by = (s.b.y - corner_.y) * perMetre_;
+	const double slack = slack_ * perMetre_;
+	const std::int64_t y0 = clamped(std::min(ay, by) - slack, rows_), y1 = clamped(std::max(ay, by) + slack, rows_);
+	const double slope = y1 > y0 ? (bx - ax) / (by - ay) : 0;
+	for (std::int64_t y = y0; y <= y1; y++)
+	{
+		double low = std::min(ax, bx), high = std::max(ax, bx);
+		if (y1 > y0)  // only what the segment covers within the row
+		{
+			const double u = ax + (double(y) - slack - ay) * slope, v = ax + (double(y + 1) + slack - ay) * slope;
+			low = std::max(low, std::min(u, v));
+			high = std::min(high, std::max(u, v));
+		}
+		const std::int64_t x1 = clamped(high + slack, columns_);
+		for (std::int64_t x = clamped(low - slack, columns_); x <= x1; x++) visit(std::size_t(y * columns_ + x));
+	}
+}
+
+void PolylineIndex::fillBuckets()
+{
 	bucketBegin_.assign(std::size_t(columns_ * rows_) + 1, 0);
 	for (const auto& s : segments_) forEachBucket(s, [&](std::size_t i) { bucketBegin_[i + 1]++; });
 	for (std::size_t i = 1; i < bucketBegin_.size(); i++) bucketBegin_[i] += bucketBegin_[i - 1];
@@ -127,7 +170,7 @@ void PolylineIndex::fillBuckets(double spacing)
 void PolylineIndex::consider(std::size_t segment, const Point2& query, Candidate& best) const
 {
 	const Segment& s = segments_[segment];
-	const double d = distanceSqr(query, along(s.a, s.b, footParameter(s.a, s.b, query)));
+	const double d = squareBetween(query, footOn(s, query));
 	// The order of the polylines decides between equal distances, not the order in which they are found.
 	if (d > best.distanceSqr || (d == best.distanceSqr && segment >= best.segment)) return;
 	best = {d, segment};
@@ -137,12 +180,11 @@ PolylineIndex::Search PolylineIndex::searchBuckets(const Point2& query, double m
 {
 	const double u = (query.x - corner_.x) * perMetre_, v = (query.y - corner_.y) * perMetre_;
 	const double far = double(mostRings);
-	if (!(u > -far && v > -far && u < double(columns_) + far && v < double(rows_) + far)) return Search::tooFar;
+	if (!(u > -far && v > -far && u < double(columns_) + far && v < double(rows_) + far))
+		return far * edge_ - slack_ > maxDistance ? Search::complete : Search::tooFar;
 	const auto cx = std::int64_t(std::floor(u)), cy = std::int64_t(std::floor(v));
 	const double fx = u - double(cx), fy = v - double(cy);
 	const double inner = std::min({fx, 1 - fx, fy, 1 - fy});
-	// Segments are in their buckets up to rounding.
-	const double slack = 1e-12 * (std::abs(corner_.x) + std::abs(corner_.y) + double(columns_ + rows_) * edge_);
 	for (std::int64_t ring = 0; ring <= mostRings; ring++)
 	{
 		const std::int64_t y0 = std::max<std::int64_t>(0, cy - ring), y1 = std::min(rows_ - 1, cy + ring);
@@ -158,7 +200,7 @@ PolylineIndex::Search PolylineIndex::searchBuckets(const Point2& query, double m
 					consider(bucketSegments_[i], query, best);
 			}
 		}
-		const double border = (double(ring) + inner) * edge_ - slack;
+		const double border = (double(ring) + inner) * edge_ - slack_;
 		if (border > maxDistance || (border > 0 && best.distanceSqr < border * border)) return Search::complete;
 	}
 	return Search::tooFar;
@@ -205,51 +247,167 @@ void PolylineIndex::searchTree(const Point2& query, double maxDistance, Candidat
 		const std::size_t middle = sampleSegment_[f.first];
 		const auto near = [&](std::size_t i)
 		{
-			const Segment &s = segments_[i], &m = segments_[middle];
-			const double sample = double(f.first) - double(m.firstSample) + 0.5;
-			return s.polyline == m.polyline && s.firstPart <= sample + 0.75 && s.firstPart + s.parts >= sample - 0.75;
+			const SampleRange& r = ranges_[i];
+			const double sample = double(f.first) - double(ranges_[middle].firstSample) + 0.5;
+			return segments_[i].polyline == segments_[middle].polyline && r.firstPart <= sample + 0.75 &&
+				   r.firstPart + r.parts >= sample - 0.75;
 		};
 		for (std::size_t i = middle; i < segments_.size() && near(i); i++) consider(i, query, best);
 		for (std::size_t i = middle; i-- > 0 && near(i);) consider(i, query, best);
 	}
 }
 
+/** The segments in buckets that a square around the centre touches, with their distances, nearest first. */
+void PolylineIndex::collectWithin(const Point2& centre, double reach, std::vector<CellCandidate>& found) const
+{
+	const auto clamped = [&](double at, double corner, std::int64_t n)
+	{ return std::clamp<std::int64_t>(std::int64_t(std::floor((at - corner) * perMetre_)), 0, n - 1); };
+	const double square = reach + slack_;
+	const std::int64_t x0 = clamped(centre.x - square, corner_.x, columns_);
+	const std::int64_t x1 = clamped(centre.x + square, corner_.x, columns_);
+	const std::int64_t y0 = clamped(centre.y - square, corner_.y, rows_);
+	const std::int64_t y1 = clamped(centre.y + square, corner_.y, rows_);
+	found.clear();
+	for (std::int64_t y = y0; y <= y1; y++)
+		for (auto i = bucketBegin_[std::size_t(y * columns_ + x0)];
+			 i < bucketBegin_[std::size_t(y * columns_ + x1) + 1]; i++)
+		{
+			const double d = squareBetween(centre, footOn(segments_[bucketSegments_[i]], centre));
+			if (d <= reach * reach) found.push_back({float(d), bucketSegments_[i]});
+		}
+	std::sort(found.begin(), found.end(),
+			  [](const CellCandidate& a, const CellCandidate& b)
+			  { return a.leastSqr != b.leastSqr ? a.leastSqr < b.leastSqr : a.segment < b.segment; });
+	found.erase(std::unique(found.begin(), found.end(),
+							[](const CellCandidate& a, const CellCandidate& b) { return a.segment == b.segment; }),
+				found.end());
+}
+
+const std::vector<CellCandidate>& PolylineIndex::candidatesOf(const Point2& centre) const
+{
+	// No point of the cell is farther than `half` from the centre. So the nearest segment of any of them is at most
+	// nearest + half away from it, and nearest + 2 half from the centre.
+	const double half = cells_->edge() * 0.7072 + slack_, reach = cellReach * edge_;
+	// Single precision is rounded off by less than 1e-7.
+	const auto lowerBoundSqr = [half](double v) { return v > half ? float((v - half) * (v - half) * (1 - 1e-6)) : 0; };
+	thread_local std::vector<CellCandidate> list;
+	Candidate best;
+	searchBuckets(centre, reach, best);
+	const double nearest = std::sqrt(best.distanceSqr);
+	if (!(nearest <= reach))
+	{
+		list.assign(1, {lowerBoundSqr(reach), CellCandidate::beyond});
+		return list;
+	}
+	collectWithin(centre, nearest + 2 * half, list);
+	for (auto& c : list) c.leastSqr = lowerBoundSqr(std::sqrt(double(c.leastSqr)) * (1 - 1e-6));
+	list.push_back({std::numeric_limits<float>::infinity(), CellCandidate::end});
+	return list;
+}
+
+/** The list of the cell of a finite query; null where there are no cells. */
+const CellCandidate* PolylineIndex::cellOf(const Point2& query) const
+{
+	return cells_->at(
+		query, [this](const Point2& centre) -> const auto& { return candidatesOf(centre); });
+}
+
+PolylineIndex::Search PolylineIndex::searchCell(const CellCandidate* c, const Point2& query, double maxDistance,
+												Candidate& best) const
+{
+	if (!c) return Search::tooFar;
+	double limit = std::min(maxDistance * maxDistance, std::numeric_limits<double>::max());
+	for (; c->leastSqr <= limit; c++)
+	{
+		if (c->segment == CellCandidate::beyond) return Search::tooFar;
+		consider(c->segment, query, best);
+		limit = std::min(limit, best.distanceSqr);
+	}
+	return Search::complete;
+}
+
 PolylineIndex::Candidate PolylineIndex::search(const Point2& query, double maxDistance) const
 {
 	Candidate best;
-	if (segments_.empty() || !std::isfinite(query.x) || !std::isfinite(query.y) || !(maxDistance >= 0)) return best;
+	if (segments_.empty() || !isFinite(query) || !(maxDistance >= 0)) return best;
+	if (searchCell(cellOf(query), query, maxDistance, best) == Search::complete) return best;
+	return searchWithoutCells(query, maxDistance);
+}
+
+PolylineIndex::Candidate PolylineIndex::searchWithoutCells(const Point2& query, double maxDistance) const
+{
+	Candidate best;
 	if (searchBuckets(query, maxDistance, best) == Search::tooFar) searchTree(query, maxDistance, best);
 	return best;
 }
 
-NearestPoint PolylineIndex::describe(const Candidate& best, const Point2& query) const
+bool PolylineIndex::hasWithin(const Point2& query, double distance) const
 {
-	const Segment& s = segments_[best.segment];
-	const double t = footParameter(s.a, s.b, query);
-	NearestPoint r;
-	r.point = along(s.a, s.b, t);
-	r.distance = std::hypot(query.x - r.point.x, query.y - r.point.y);
-	r.polyline = s.polyline;
-	r.segment = s.segment;
-	const double part = std::max(0.0, s.firstPart + t * s.parts);
-	r.sample = s.firstSample + std::min(s.sampleCount - 1, std::uint32_t(part));
+	if (segments_.empty() || !isFinite(query)) return false;
+	return searchWithoutCells(query, distance).distanceSqr <= distance * distance;
+}
+
+std::optional<Foot> PolylineIndex::foot(const Point2& query, double maxDistance) const
+{
+	const Candidate best = search(query, maxDistance);
+	if (!(best.distanceSqr <= maxDistance * maxDistance) || best.segment >= segments_.size()) return std::nullopt;
+	return Foot{footOn(segments_[best.segment], query), best.distanceSqr, best.segment};
+}
+
+Point2 PolylineIndex::direction(std::size_t segment) const
+{
+	const Segment& s = segments_[segment];
 	const double length = std::hypot(s.b.x - s.a.x, s.b.y - s.a.y);
-	if (length > 0) r.direction = {(s.b.x - s.a.x) / length, (s.b.y - s.a.y) / length};
-	return r;
+	if (!(length > 0)) return {};
+	return {(s.b.x - s.a.x) / length, (s.b.y - s.a.y) / length};
+}
+
+std::size_t PolylineIndex::sampleOf(const Foot& foot) const
+{
+	const Segment& s = segments_[foot.segment];
+	const SampleRange& r = ranges_[foot.segment];
+	const double t = std::sqrt(squareBetween(s.a, foot.point) * s.perLengthSqr);
+	const double part = std::max(0.0, r.firstPart + std::min(t, 1.0) * r.parts);
+	return r.firstSample + std::min(r.sampleCount - 1, std::uint32_t(part));
 }
 
 std::optional<NearestPoint> PolylineIndex::nearest(const Point2& query, double maxDistance) const
 {
-	const Candidate best = search(query, maxDistance);
-	if (best.segment >= segments_.size()) return std::nullopt;
-	const NearestPoint result = describe(best, query);
-	if (!(result.distance <= maxDistance)) return std::nullopt;
-	return result;
+	const auto f = foot(query, maxDistance);
+	if (!f) return std::nullopt;
+	const Segment& s = segments_[f->segment];
+	const double distance = std::hypot(query.x - f->point.x, query.y - f->point.y);
+	if (!(distance <= maxDistance)) return std::nullopt;
+	return NearestPoint{f->point, distance, s.polyline, s.segment, sampleOf(*f), direction(f->segment)};
 }
 
 double PolylineIndex::distance(const Point2& query, double maxDistance) const
 {
 	return std::min(maxDistance, std::sqrt(search(query, maxDistance).distanceSqr));
+}
+
+void PolylineIndex::distancesSqr(const std::vector<Point2>& queries, double maxDistance,
+								 std::vector<double>& distancesSqr) const
+{
+	const double farthest = maxDistance * maxDistance;
+	distancesSqr.assign(queries.size(), farthest);
+	if (segments_.empty()) return;
+	// In steps of a few queries, so that the processor waits for the memory of all of them at once.
+	constexpr std::size_t together = 16;
+	std::array<const CellCandidate*, together> lists;
+	for (std::size_t first = 0; first < queries.size(); first += together)
+	{
+		const std::size_t n = std::min(together, queries.size() - first);
+		for (std::size_t i = 0; i < n; i++)
+			lists[i] = isFinite(queries[first + i]) ? cellOf(queries[first + i]) : nullptr;
+		for (std::size_t i = 0; i < n; i++)
+		{
+			const Point2& query = queries[first + i];
+			Candidate best;
+			if (searchCell(lists[i], query, maxDistance, best) == Search::tooFar) best = search(query, maxDistance);
+			distancesSqr[first + i] = std::min(farthest, best.distanceSqr);
+		}
+	}
 }
 
 }  // namespace ridgemap

@@ -31,31 +31,25 @@ class MatchingTargets
 	MatchingTargets(const std::vector<Polyline>& polylines, const std::vector<Point2>& measurements,
 					const TargetSettings& settings);
 
-	struct Target
-	{
-		Point2 point;           ///< the foot on the polyline, or the measurement [m]
-		double distance = 0;    ///< from the query [m]
-		std::size_t index = 0;  ///< number of the nearest point, as forEachPoint() gives them
-		bool lone = false;      ///< a measurement
-		Point2 normal;          ///< of the polyline's segment, unit length; zero for a measurement
-	};
-
 	/** The nearest target; nothing if there is none within maxDistance or the query is not finite. */
-	std::optional<Target> nearest(const Point2& query, double maxDistance) const;
-
-	std::size_t size() const { return lines_.samples().size() + lone_.samples().size(); }
-	/** Even points along the polylines, then the measurements. */
-	template <class Visit>
-	void forEachPoint(Visit&& visit) const
+	std::optional<Foot> nearest(const Point2& query, double maxDistance) const
 	{
-		for (const auto* index : {&lines_, &lone_})
-			for (const auto& p : index->samples()) visit(p);
+		return index_.foot(query, maxDistance);
 	}
+	/** Whether a target is a lone measurement. */
+	bool isLone(const Foot& target) const { return index_.isPoint(target.segment); }
+	/** Across the polyline at a target, unit length; zero for a measurement. */
+	Point2 normal(const Foot& target) const;
+	/** Number of the point of points() that is nearest to a target along its polyline. */
+	std::size_t pointOf(const Foot& target) const { return index_.sampleOf(target); }
+
+	/** Even points along the polylines, then the lone measurements. */
+	const std::vector<Point2>& points() const { return index_.samples(); }
 	const TargetSettings& settings() const { return settings_; }
 
  private:
-	PolylineIndex lines_, lone_;
 	TargetSettings settings_;
+	PolylineIndex index_;
 };
 
 /** A pose in the plane [m, rad]. */
