@@ -16,23 +16,24 @@ namespace
 {
 constexpr double noise = 0.35;  ///< across the walls [sigma]
 
-/** Distance from a point to the nearest vertex that lies on no ridge, i.e. to the nearest made corner. */
+/** Distance from a point to the nearest made corner. */
 double distanceToCorner(const std::vector<Polyline>& walls, const Point2& p)
 {
 	double best = 1e30;
 	for (const Polyline& w : walls)
 		for (std::size_t k = 0; k < w.points.size(); k++)
-			if (w.info[k].occupancy == 0) best = std::min(best, std::hypot(w.points[k].x - p.x, w.points[k].y - p.y));
+			if (w.info[k].origin == VertexOrigin::corner)
+				best = std::min(best, std::hypot(w.points[k].x - p.x, w.points[k].y - p.y));
 	return best;
 }
 
-/** Inner vertices that lie on no ridge. */
+/** Corners made. */
 std::size_t madeVertices(const std::vector<Polyline>& walls)
 {
 	std::size_t n = 0;
 	for (const Polyline& w : walls)
-		n += std::size_t(
-			std::count_if(w.info.begin() + 1, w.info.end() - 1, [](const VertexInfo& v) { return v.occupancy == 0; }));
+		n += std::size_t(std::count_if(w.info.begin() + 1, w.info.end() - 1,
+									   [](const VertexInfo& v) { return v.origin == VertexOrigin::corner; }));
 	return n;
 }
 

@@ -135,7 +135,7 @@ Polyline replaceCorners(const Polyline& line, const Path& path, const std::vecto
 	const auto add = [&](const Corner& c)
 	{
 		result.points.push_back({c.apex.x, c.apex.y});
-		result.info.push_back({});
+		result.info.push_back(madeVertex(VertexOrigin::corner));
 	};
 	const auto inside = [&](double s)
 	{

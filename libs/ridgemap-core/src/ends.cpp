@@ -85,7 +85,7 @@ void trimEnd(Polyline& line, bool back, double sigma)
 		line.info.erase(infoFrom, infoFrom + std::ptrdiff_t(drop));
 	}
 	line.points.insert(back ? line.points.end() : line.points.begin(), Point2{end.x, end.y});
-	line.info.insert(back ? line.info.end() : line.info.begin(), VertexInfo{});
+	line.info.insert(back ? line.info.end() : line.info.begin(), madeVertex(VertexOrigin::end));
 }
 }  // namespace
 
@@ -94,7 +94,7 @@ std::vector<Polyline> trimEnds(const std::vector<Polyline>& lines, const Options
 	std::vector<Vec2> guests;  // where lines were led to others
 	for (const Polyline& line : lines)
 		for (const bool back : {false, true})
-			if (!line.closed && (back ? line.info.back() : line.info.front()).occupancy == 0)
+			if (!line.closed && (back ? line.info.back() : line.info.front()).origin == VertexOrigin::junction)
 				guests.push_back(back ? Vec2{line.points.back().x, line.points.back().y}
 									  : Vec2{line.points.front().x, line.points.front().y});
 	std::vector<Polyline> result = lines;

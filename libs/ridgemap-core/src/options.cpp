@@ -29,7 +29,7 @@ auto tie(const Options& o)
 {
 	return std::tie(o.sigma, o.eps, o.lTol, o.dTol, o.cell, o.cutoff, o.tileEdge, o.maxStep, o.maxSensitivity,
 					o.minCurvature, o.stepRule, o.seedRule, o.prune, o.pruneLength, o.attach, o.attachDistance,
-					o.sharpen, o.trim);
+					o.sharpen, o.trim, o.straighten, o.correctBends);
 }
 }  // namespace
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "wall_path.h"
 
+#include <ridgemap/standard_error.h>
+
 #include <cmath>
 
 namespace ridgemap
@@ -37,6 +39,23 @@ double densityWidth(const Polyline& line, double sigma)
 	const auto middle = curvatures.begin() + std::ptrdiff_t(curvatures.size() / 2);
 	std::nth_element(curvatures.begin(), middle, curvatures.end());
 	return sigma / std::sqrt(std::min(1.0, std::max(0.25, double(*middle))));
+}
+
+WallNoise wallNoise(const Polyline& line, double sigma)
+{
+	const double se = densityWidth(line, sigma);
+	WallNoise result;
+	result.noise = std::sqrt(std::max(0.0, se * se - sigma * sigma));
+	std::size_t all = 0, agreeing = 0;
+	for (const VertexInfo& v : line.info)
+	{
+		if (!(v.occupancy > 0 && v.curvature > 0)) continue;
+		const double noise = noiseAcross(double(v.curvature), sigma);
+		all++;
+		agreeing += noise <= 1.5 * result.noise && result.noise <= 1.5 * noise;
+	}
+	result.supported = result.noise > 0 && all >= 5 && 2 * agreeing >= all;
+	return result;
 }
 
 }  // namespace ridgemap

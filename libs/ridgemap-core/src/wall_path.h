@@ -59,8 +59,24 @@ struct FittedLine
 /** Fits a line to the stretch a..b of a path, by points at most `step` apart. */
 FittedLine fitLine(const Path& path, double a, double b, double step);
 
+/** Vertex that a pass adds: it lies on no ridge. */
+inline VertexInfo madeVertex(VertexOrigin origin)
+{
+	VertexInfo v;
+	v.origin = origin;
+	return v;
+}
+
 /** sqrt(sigma^2 + s^2), the width of the density across a wall [m], from the median curvature of its vertices, which is
  * 1/(1 + (s/sigma)^2). */
 double densityWidth(const Polyline& line, double sigma);
+
+/** Noise of the measurements across a wall, s^2 = -L/lambda1 - sigma^2. */
+struct WallNoise
+{
+	double noise = 0;        ///< median over the vertices [m]
+	bool supported = false;  ///< at least five vertices, half of them within a factor of 1.5 of the median
+};
+WallNoise wallNoise(const Polyline& line, double sigma);
 
 }  // namespace ridgemap

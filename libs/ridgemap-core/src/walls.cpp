@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "vec2.h"
+#include "wall_path.h"
 
 namespace ridgemap
 {
@@ -133,7 +133,7 @@ class EndJoiner
 	bool isLed(LineEnd e) const
 	{
 		const std::vector<VertexInfo>& info = lines_[std::size_t(e.line)].info;
-		return (e.atBack ? info.back() : info.front()).occupancy == 0;
+		return (e.atBack ? info.back() : info.front()).origin == VertexOrigin::junction;
 	}
 
 	Target& targetOf(LineEnd e) { return targets_[std::size_t(2 * e.line + e.atBack)]; }
@@ -242,7 +242,7 @@ class EndJoiner
 		const Target& t = targetOf(e);
 		if (!t.found || t.foot == place(e)) return;
 		result.points.push_back(t.foot);
-		result.info.push_back({});
+		result.info.push_back(madeVertex(VertexOrigin::junction));
 	}
 
 	StopReason reasonAt(LineEnd e)
@@ -324,6 +324,8 @@ std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Optio
 	if (options.sharpen) walls = sharpenCorners(walls, options);
 	if (options.attach) walls = attachFreeEnds(walls, options);
 	if (options.trim) walls = trimEnds(walls, options);
+	if (options.straighten) walls = straightenRuns(walls, options);
+	if (options.correctBends) walls = correctBends(walls, options);
 	return walls;
 }
 

@@ -29,6 +29,16 @@ std::vector<Polyline> sharpenCorners(const std::vector<Polyline>& lines, const O
  * surface ends, and draws their last stretch straight. Ends that other lines are led to stay. */
 std::vector<Polyline> trimEnds(const std::vector<Polyline>& lines, const Options& options);
 
+/** Replaces every stretch that is straight or circular within what chance explains by the fitted line or arc; parts
+ * meet where they cross. Writes the shape of every segment, the standard error of every vertex, and the noise of every
+ * wall.
+ */
+std::vector<Polyline> straightenRuns(const std::vector<Polyline>& lines, const Options& options);
+
+/** Moves the vertices of bent stretches outwards, by as much as the ridge of a circle of their radius lies inside it.
+ * Arcs that straightenRuns() has fitted are moved there. */
+std::vector<Polyline> correctBends(const std::vector<Polyline>& lines, const Options& options);
+
 /** All passes that the options ask for, in order. */
 std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Options& options);
 

@@ -73,6 +73,10 @@ void visitFields(const TCreationOptions*, O& o, V&& visit)
 	visit(FieldInfo{"attachDistance", "sigma", "walls: farthest that a free end is joined", 0, 5}, o.attachDistance);
 	visit(FieldInfo{"trim", "", "walls: move free ends back to where the surface ends"}, o.trim);
 	visit(FieldInfo{"sharpen", "", "walls: put a vertex where the straight arms of a rounded corner meet"}, o.sharpen);
+	visit(FieldInfo{"straighten", "", "walls: draw straight and circular stretches as fitted lines and arcs"},
+		  o.straighten);
+	visit(FieldInfo{"correctBends", "", "walls: move bent stretches out, as ridges lie inside of bends"},
+		  o.correctBends);
 }
 
 template <class O, class V>

@@ -48,6 +48,11 @@ struct Options
 
 	bool trim = true;  ///< walls: move free ends back to where the surface ends
 
+	bool straighten = true;  ///< walls: draw straight and circular stretches as fitted lines and arcs
+
+	bool correctBends =
+		true;  ///< walls: move bent stretches out to where the surface is, as ridges lie inside of bends
+
 	/** Throws std::invalid_argument with the name, the value and the allowed range of the first field that is off. */
 	void validate() const;
 

@@ -57,18 +57,40 @@ enum class StopReason : std::uint8_t
 /** Short name of a reason, for reports. */
 const char* toString(StopReason reason);
 
-/** What the continuous occupancy says at a vertex of a polyline. */
+/** What a vertex of a wall was made by. */
+enum class VertexOrigin : std::uint8_t
+{
+	ridge = 0,  ///< lies on the ridge, but for the curvature correction where that is on
+	corner,     ///< where two parts of a wall meet beyond the bend of the ridge
+	end,        ///< a free end, moved to where the surface ends
+	junction,   ///< led to another wall
+	run         ///< on a fitted line or arc
+};
+
+/** Shape of a stretch of wall. */
+enum class WallShape : std::uint8_t
+{
+	curve = 0,  ///< as the ridge runs
+	line,       ///< one straight segment, fitted to the whole stretch
+	arc         ///< segments along one circular arc, fitted to the whole stretch
+};
+
+/** What is known at a vertex of a polyline. */
 struct VertexInfo
 {
 	float occupancy = 0;  ///< L [kernels]; 0: the vertex was added by a wall pass and lies on no ridge
 	float curvature = 0;  ///< -lambda1/L times sigma^2: 1/(1 + (s/sigma)^2) on a straight wall with noise s across it
 	/** How far chance may have moved the vertex across the wall, one standard deviation [m]; infinite where that cannot
-	 * be told, as for vertices that a wall pass added. See ridgeUncertainty() for what it means and for intervals. */
+	 * be told. On ridges see ridgeUncertainty() for what it means and for intervals. On fitted lines and arcs it is that
+	 * of the fit, at a corner the larger one of both sides. */
 	float standardError = std::numeric_limits<float>::infinity();
+	VertexOrigin origin = VertexOrigin::ridge;  ///< walls: what made the vertex
+	WallShape shape = WallShape::curve;         ///< walls: of the segment from this vertex to the next
 
 	friend bool operator==(const VertexInfo& a, const VertexInfo& b)
 	{
-		return a.occupancy == b.occupancy && a.curvature == b.curvature && a.standardError == b.standardError;
+		return a.occupancy == b.occupancy && a.curvature == b.curvature && a.standardError == b.standardError &&
+			   a.origin == b.origin && a.shape == b.shape;
 	}
 };
 
@@ -80,6 +102,10 @@ struct Polyline
 	bool closed = false;
 	StopReason startReason = StopReason::belowThreshold;  ///< why it ends at points.front()
 	StopReason endReason = StopReason::belowThreshold;    ///< why it ends at points.back()
+	/** Walls: standard deviation s of the measurements across the wall, estimated from the density [m]; 0: not told. */
+	double noise = 0;
+	/** Walls: the vertices agree on `noise`; else it is a guess, as on short walls and where surfaces run together. */
+	bool noiseSupported = false;
 
 	/** Sum of the segment lengths [m]. */
 	double length() const;

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Curvature correction. The ridge of a circle lies inside it, as more of the circle is on that side of any of its
+// points; how far is known in closed form.
+#include "bend.h"
+
+#include <cmath>
+
+#include "wall_path.h"
+#include "walls.h"
+
+namespace ridgemap
+{
+namespace
+{
+// Lengths in units of se = sqrt(sigma^2 + s^2), the width of the density across the wall.
+constexpr double window = 2.5;       ///< to each side of a vertex whose circle is fitted
+constexpr double spacing = 0.25;     ///< of the points of that fit
+constexpr double largestRms = 0.12;  ///< of the points about their circle
+constexpr double leastRadius = 0.9;  ///< of a ridge that can be corrected [sigma]
+constexpr double leastMove = 0.01;   ///< smaller corrections are left out [sigma]
+
+/** Circle about the stretch of a path around s; nothing where there is none. */
+std::optional<FittedCurve> circleAround(const Path& path, double s, double se)
+{
+	if (!path.has(s - window * se, s + window * se)) return std::nullopt;
+	const int n = int(2 * window / spacing);
+	std::vector<WallSample> samples;
+	for (int i = 0; i <= n; i++) samples.push_back({path.at(s + window * se * (2.0 * i / n - 1)), 0, 1});
+	const std::optional<FittedCurve> arc = fitArc({samples.data(), samples.data() + samples.size()});
+	if (!arc) return std::nullopt;
+	double square = 0;
+	for (const WallSample& i : samples) square += arc->distance(i.p) * arc->distance(i.p) / (n + 1);
+	if (square > largestRms * largestRms * se * se) return std::nullopt;
+	return arc;
+}
+}  // namespace
+
+double besselRatio(double z)
+{
+	// The continued fraction I1/I0 = z/(2 + z^2/(4 + z^2/(6 + ...))), from far enough below.
+	const int depth = 20 + int(z < 400 ? z : 400);
+	double tail = 0;
+	if (z >= 400) return 1 - 0.5 / z - 0.125 / (z * z) - 0.125 / (z * z * z);
+	for (int k = depth; k >= 1; k--) tail = z * z / (2 * k + tail);
+	return tail / z;
+}
+
+double trueRadius(double ridgeRadius, double sigma)
+{
+	// R/r = I1/I0(R r/sigma^2), in units of sigma; r by Newton's method with a bracket.
+	const double ridge = ridgeRadius / sigma;
+	double low = ridge, high = ridge + 2;
+	for (int step = 0; step < 45; step++)
+	{
+		const double middle = 0.5 * (low + high);
+		if (!(middle > low && middle < high)) break;
+		// The ridge of a circle of this radius would lie farther out: the circle is smaller.
+		(middle * besselRatio(ridge * middle) > ridge ? high : low) = middle;
+	}
+	return sigma * 0.5 * (low + high);
+}
+
+double bendCorrection(const FittedCurve& arc, double sigma)
+{
+	const double radius = 1 / std::abs(arc.curvature);
+	if (radius < leastRadius * sigma || radius > sigma / (2 * leastMove)) return 0;
+	const double outward = trueRadius(radius, sigma) - radius;
+	return arc.curvature > 0 ? -outward : outward;
+}
+
+FittedCurve unbent(const FittedCurve& arc, double sigma)
+{
+	const double move = bendCorrection(arc, sigma);
+	FittedCurve surface = arc;
+	surface.origin = arc.origin + move * leftNormal(arc.direction);
+	surface.curvature = arc.curvature / (1 - arc.curvature * move);
+	return surface;
+}
+
+std::vector<Polyline> correctBends(const std::vector<Polyline>& lines, const Options& options)
+{
+	std::vector<Polyline> result = lines;
+	for (std::size_t i = 0; i < lines.size(); i++)
+	{
+		const Path path(lines[i]);
+		const double se = densityWidth(lines[i], options.sigma);
+		for (std::size_t k = 0; k < lines[i].points.size(); k++)
+		{
+			const VertexInfo& v = lines[i].info[k];
+			if (v.origin != VertexOrigin::ridge || v.shape != WallShape::curve) continue;
+			const std::optional<FittedCurve> arc = circleAround(path, path.arc(k), se);
+			if (!arc || arc->curvature == 0) continue;
+			const Vec2 p{lines[i].points[k].x, lines[i].points[k].y};
+			const Vec2 q = p + bendCorrection(*arc, options.sigma) * arc->normal(p);
+			result[i].points[k] = {q.x, q.y};
+		}
+		if (lines[i].closed) result[i].points.back() = result[i].points.front();
+	}
+	return result;
+}
+
+}  // namespace ridgemap
