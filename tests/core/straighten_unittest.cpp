@@ -197,7 +197,8 @@ TEST(Straighten, DoorsStayOpenAndCornersSharp)
 		for (std::size_t k = 0; k < 4; k++)
 		{
 			const Point2 p = map.walls()[0].points[k];
-			const double x = p.x * std::cos(turn) + p.y * std::sin(turn), y = p.y * std::cos(turn) - p.x * std::sin(turn);
+			const double x = p.x * std::cos(turn) + p.y * std::sin(turn),
+						 y = p.y * std::cos(turn) - p.x * std::sin(turn);
 			EXPECT_NEAR(std::abs(x), 20, 0.1);
 			EXPECT_NEAR(std::abs(y), 20, 0.1);
 			EXPECT_EQ(map.walls()[0].info[k].origin, VertexOrigin::corner);

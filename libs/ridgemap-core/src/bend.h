@@ -11,8 +11,8 @@ namespace ridgemap
 double besselRatio(double z);
 
 /** Radius of a circle whose ridge has this radius [both m]: the density of an evenly measured circle of radius r at
- * distance R from its centre is I0(R r/sigma^2) exp(-(R^2 + r^2)/(2 sigma^2)), so its ridge has R/r = I1/I0(R r/sigma^2).
- * Holds for R > 0.9 sigma; smaller circles do not come out as ridges. */
+ * distance R from its centre is I0(R r/sigma^2) exp(-(R^2 + r^2)/(2 sigma^2)), so its ridge has R/r = I1/I0(R
+ * r/sigma^2). Holds for R > 0.9 sigma; smaller circles do not come out as ridges. */
 double trueRadius(double ridgeRadius, double sigma);
 
 /** How far the surface lies to the left of an arc fitted to its ridge [m]; 0 where it cannot be told. */

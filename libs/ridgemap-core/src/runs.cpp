@@ -9,11 +9,11 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double farthest = 3;       ///< samples of a run are nearer to its curve than this [standard errors]
-constexpr double significant = 4;    ///< a curvature above this many standard errors is no line's
-constexpr double muchLonger = 1.5;   ///< an arc must reach this much farther than a line
-constexpr std::size_t stride = 4;    ///< from one attempt to start a run to the next [samples]
-constexpr std::size_t search = 16;   ///< farthest that a boundary between two runs is moved [samples]
+constexpr double farthest = 3;      ///< samples of a run are nearer to its curve than this [standard errors]
+constexpr double significant = 4;   ///< a curvature above this many standard errors is no line's
+constexpr double muchLonger = 1.5;  ///< an arc must reach this much farther than a line
+constexpr std::size_t stride = 4;   ///< from one attempt to start a run to the next [samples]
+constexpr std::size_t search = 16;  ///< farthest that a boundary between two runs is moved [samples]
 
 class RunFinder
 {

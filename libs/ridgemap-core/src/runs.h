@@ -21,10 +21,10 @@ struct Run
 /** What findRuns() goes by, in samples. Samples are a quarter of the width of the density apart. */
 struct RunRules
 {
-	std::size_t least = 32;        ///< shortest run
-	std::size_t leastWhole = 4;    ///< shortest run that is all of its wall from corner to corner
-	double largestCurvature = 1;   ///< of an arc [1/m]
-	bool bounded = false;          ///< corners or junctions on both sides
+	std::size_t least = 32;       ///< shortest run
+	std::size_t leastWhole = 4;   ///< shortest run that is all of its wall from corner to corner
+	double largestCurvature = 1;  ///< of an arc [1/m]
+	bool bounded = false;         ///< corners or junctions on both sides
 };
 
 /** Samples that count as one, as their kernels overlap. */

@@ -15,13 +15,13 @@ namespace ridgemap
 namespace
 {
 // Lengths in units of se = sqrt(sigma^2 + s^2), the width of the density across the wall.
-constexpr double spacing = 0.25;       ///< of samples
-constexpr double systematic = 0.01;    ///< error of a ridge that averages do not remove [sigma]
-constexpr double smallestRadius = 2;   ///< of an arc
-constexpr double largestTail = 2.4;    ///< between the last run and a made end, that is drawn as part of the run
-constexpr double tailReach = 0.5;      ///< farthest that the end may lie from the run for that
-constexpr double jointReach = 2.5;     ///< farthest that two runs may cross from where they meet
-constexpr double sagitta = 0.5;        ///< of the segments of an arc [eps]
+constexpr double spacing = 0.25;      ///< of samples
+constexpr double systematic = 0.01;   ///< error of a ridge that averages do not remove [sigma]
+constexpr double smallestRadius = 2;  ///< of an arc
+constexpr double largestTail = 2.4;   ///< between the last run and a made end, that is drawn as part of the run
+constexpr double tailReach = 0.5;     ///< farthest that the end may lie from the run for that
+constexpr double jointReach = 2.5;    ///< farthest that two runs may cross from where they meet
+constexpr double sagitta = 0.5;       ///< of the segments of an arc [eps]
 
 /** A stretch between made vertices, or ends, of a line: vertices first..last, samples of what lies on the ridge. */
 struct Section
@@ -160,8 +160,8 @@ class Straightener
 		if (isRun(a) || isRun(b)) info.standardError = 0;
 		for (const Run* r : {a, b})
 			if (isRun(r))
-				info.standardError = std::max(info.standardError,
-											  float(std::sqrt(samplesPerIndependent * r->curve.variance(p))));
+				info.standardError =
+					std::max(info.standardError, float(std::sqrt(samplesPerIndependent * r->curve.variance(p))));
 		info.shape = b ? b->shape : WallShape::curve;
 		const Point2 q{p.x, p.y};
 		if (!result_.points.empty() && result_.points.back() == q)
@@ -280,8 +280,7 @@ Polyline straightened(const Polyline& line, const Options& options)
 	{
 		std::size_t k = 0;
 		while (k + 1 < line.points.size() && line.info[k].origin == VertexOrigin::ridge) k++;
-		if (k + 1 < line.points.size())
-			return Straightener(k > 0 ? rotated(line, k) : line, options).run();
+		if (k + 1 < line.points.size()) return Straightener(k > 0 ? rotated(line, k) : line, options).run();
 		Straightener first(line, options);
 		Polyline result = first.run();
 		const std::size_t better = first.bestBeginning();

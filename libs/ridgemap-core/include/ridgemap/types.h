@@ -81,8 +81,8 @@ struct VertexInfo
 	float occupancy = 0;  ///< L [kernels]; 0: the vertex was added by a wall pass and lies on no ridge
 	float curvature = 0;  ///< -lambda1/L times sigma^2: 1/(1 + (s/sigma)^2) on a straight wall with noise s across it
 	/** How far chance may have moved the vertex across the wall, one standard deviation [m]; infinite where that cannot
-	 * be told. On ridges see ridgeUncertainty() for what it means and for intervals. On fitted lines and arcs it is that
-	 * of the fit, at a corner the larger one of both sides. */
+	 * be told. On ridges see ridgeUncertainty() for what it means and for intervals. On fitted lines and arcs it is
+	 * that of the fit, at a corner the larger one of both sides. */
 	float standardError = std::numeric_limits<float>::infinity();
 	VertexOrigin origin = VertexOrigin::ridge;  ///< walls: what made the vertex
 	WallShape shape = WallShape::curve;         ///< walls: of the segment from this vertex to the next
