@@ -161,6 +161,7 @@ std::vector<Segment> readTruth(const std::string& path)
 	for (std::vector<std::string> fields; file.next(fields); first = false)
 	{
 		if (first && fields[0] == "x1") continue;
+		if (fields.size() == 6 && !parseNumber(fields[5])) fields.resize(4);  // number and name of a surface
 		const std::vector<double> v = file.numbers(fields, 0);
 		if (v.size() != 4 && v.size() != 5) file.fail("expected 4 or 5 numbers, found " + std::to_string(v.size()));
 		truth.push_back({{v[0], v[1]}, {v[2], v[3]}, v.size() < 5 || v[4] != 0});

@@ -42,8 +42,8 @@ Scene cornerScene();
  * ...`, `mover radius speed x1 y1 x2 y2`; `#` starts a comment. Throws UserError with file and line. */
 Scene readScene(const std::string& path);
 
-/** Reads the true surface that ridgemap-simulate wrote: lines `x1,y1,x2,y2[,seen]`. Throws UserError with file and
- * line. */
+/** Reads the true surface that ridgemap-simulate wrote: lines `x1,y1,x2,y2[,seen]`, or, from other programs,
+ * `x1 y1 x2 y2 number name`, of which all is taken to be seen. Throws UserError with file and line. */
 std::vector<Segment> readTruth(const std::string& path);
 
 /** Writes the file that readTruth() reads, coordinates with 17 digits. */

@@ -9,11 +9,14 @@
 #include <limits>
 #include <opencv2/imgproc.hpp>
 
+#include "localization.h"
+
 namespace ridgemap::apps
 {
 namespace
 {
-constexpr float occupied = 0.35f;  ///< cells below are part of the surface: probability of being free
+constexpr float occupied = 0.35f;          ///< cells below are part of the surface: probability of being free
+constexpr double frozenTolerance = 0.005;  // [m]
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 cv::Point pixel(const View& v, const Point2& p)
@@ -34,14 +37,18 @@ class RidgeContestant : public Contestant
  public:
 	explicit RidgeContestant(const MapOptions& options) : map_(options) {}
 
-	std::string name() const override { return "ridge map"; }
-	std::unique_ptr<Contestant> fresh() const override { return std::make_unique<RidgeContestant>(map_.mapOptions()); }
 	void insert(const PosedScan& s) override
 	{
 		map_.insertObservation(*s.scan, s.pose);
 		map_.update();
 	}
 	const mrpt::maps::CMetricMap& map() const override { return map_; }
+	mrpt::maps::CMetricMap::Ptr forLocalization() const override
+	{
+		auto frozen = std::make_shared<CRidgeMap2D>(map_);
+		frozen->freeze(frozenTolerance);
+		return frozen;
+	}
 	std::size_t memory() const override { return map_.core().statistics().bytes; }
 	double distance(const Point2& p) const override
 	{
@@ -83,26 +90,24 @@ class RidgeContestant : public Contestant
 class GridContestant : public Contestant
 {
  public:
-	GridContestant(double resolution, bool rightAngles, const Box2& box)
-		: resolution_(resolution),
-		  rightAngles_(rightAngles),
-		  box_(box),
-		  map_(float(box.min.x), float(box.max.x), float(box.min.y), float(box.max.y), float(resolution))
+	GridContestant(double resolution, bool rightAngles, const Surroundings& around, const FilterSettings& filter)
+		: rightAngles_(rightAngles),
+		  map_(float(around.box.min.x), float(around.box.max.x), float(around.box.min.y), float(around.box.max.y),
+			   float(resolution))
 	{
 		map_.insertionOptions.maxDistanceInsertion = 80;
-		map_.likelihoodOptions.likelihoodMethod = mrpt::maps::COccupancyGridMap2D::lmLikelihoodField_Thrun;
-		map_.likelihoodOptions.LF_decimation = 1;
+		// MRPT's default is true. Between the beams of scans made of points, nothing was measured.
+		map_.insertionOptions.considerInvalidRangesAsFreeSpace = !around.madeOfPoints;
+		auto& likelihood = map_.likelihoodOptions;
+		likelihood.likelihoodMethod = mrpt::maps::COccupancyGridMap2D::lmLikelihoodField_Thrun;
+		likelihood.LF_decimation = 1;
+		likelihood.LF_stdHit = float(filter.spread);
+		likelihood.LF_zHit = float(filter.hit);
+		likelihood.LF_zRandom = float(1 - filter.hit);
+		likelihood.LF_maxRange = float(filter.range);
+		likelihood.LF_maxCorrsDistance = float(filter.farthest);
 	}
 
-	std::string name() const override
-	{
-		return "grid " + std::to_string(int(std::lround(resolution_ * 100))) + " cm" +
-			   (rightAngles_ ? "" : ", MRPT's beam angles");
-	}
-	std::unique_ptr<Contestant> fresh() const override
-	{
-		return std::make_unique<GridContestant>(resolution_, rightAngles_, box_);
-	}
 	void insert(const PosedScan& s) override
 	{
 		if (rightAngles_)
@@ -145,9 +150,7 @@ class GridContestant : public Contestant
 	}
 
  private:
-	double resolution_;
 	bool rightAngles_;
-	Box2 box_;
 	mrpt::maps::COccupancyGridMap2D map_;
 	mrpt::maps::CSimplePointsMap centres_;
 
@@ -168,14 +171,16 @@ class GridContestant : public Contestant
 class PointsContestant : public Contestant
 {
  public:
-	PointsContestant()
+	PointsContestant(const Surroundings& around, const FilterSettings& filter)
 	{
-		map_.insertionOptions.minDistBetweenLaserPoints = 0.02f;
+		// With a distance, MRPT leaves out points without a neighbour, too: of scans made of points, nearly all.
+		map_.insertionOptions.minDistBetweenLaserPoints = around.madeOfPoints ? 0 : 0.02f;
 		map_.insertionOptions.isPlanarMap = true;
 		map_.likelihoodOptions.decimation = 1;
+		map_.likelihoodOptions.max_corr_distance = filter.farthest;
+		// It takes the mean of the squared distances where the others take the sum over the beams.
+		map_.likelihoodOptions.sigma_dist = 2 * filter.spread * filter.spread / double(filter.beams);
 	}
-	std::string name() const override { return "points map"; }
-	std::unique_ptr<Contestant> fresh() const override { return std::make_unique<PointsContestant>(); }
 	void insert(const PosedScan& s) override { map_.insertObservation(*s.scan, s.pose); }
 	const mrpt::maps::CMetricMap& map() const override { return map_; }
 	std::size_t memory() const override { return map_.size() * 3 * sizeof(float); }
@@ -200,17 +205,29 @@ class PointsContestant : public Contestant
 };
 }  // namespace
 
-std::vector<std::unique_ptr<Contestant>> makeContestants(const MapOptions& options, const Box2& box)
+std::vector<ContestantKind> contestantKinds(const MapOptions& options, const Surroundings& around)
 {
-	std::vector<std::unique_ptr<Contestant>> all;
+	const FilterSettings filter;
 	MapOptions ridge = options;
 	ridge.likelihood.decimation = 1;
-	all.push_back(std::make_unique<RidgeContestant>(ridge));
+	ridge.likelihood.sigmaHit = filter.spread;
+	ridge.likelihood.zHit = filter.hit;
+	ridge.likelihood.zRand = 1 - filter.hit;
+	ridge.likelihood.zMax = filter.range;
+	ridge.likelihood.maxDistance = filter.farthest;
+	std::vector<ContestantKind> kinds;
+	kinds.push_back({"ridge map", [=] { return std::make_unique<RidgeContestant>(ridge); }});
 	for (const bool rightAngles : {true, false})
-		for (const double resolution : {0.05, 0.02, 0.01})
-			all.push_back(std::make_unique<GridContestant>(resolution, rightAngles, box));
-	all.push_back(std::make_unique<PointsContestant>());
-	return all;
+		for (const int centimetres : {5, 2, 1})
+		{
+			if (!rightAngles && around.madeOfPoints) continue;
+			const std::string remark = rightAngles ? "" : ", MRPT's beam angles";
+			const auto make = [=]
+			{ return std::make_unique<GridContestant>(0.01 * centimetres, rightAngles, around, filter); };
+			kinds.push_back({"grid " + std::to_string(centimetres) + " cm" + remark, make});
+		}
+	kinds.push_back({"points map", [=] { return std::make_unique<PointsContestant>(around, filter); }});
+	return kinds;
 }
 
 }  // namespace ridgemap::apps

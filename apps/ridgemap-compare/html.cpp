@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <ostream>
 
+#include "html_notes.h"
 #include "report.h"
 #include "table.h"
 
@@ -13,17 +14,23 @@ namespace
 constexpr const char* style = R"(<style>
 :root{color-scheme:light}
 body{font:16px/1.5 system-ui,sans-serif;color:#1c2430;background:#fff;max-width:1200px;margin:0 auto;padding:1rem}
-h1{font-size:1.6rem;line-height:1.2;margin:.5rem 0}h2{font-size:1.2rem;margin:2rem 0 .5rem}
-p{max-width:48rem}.wide{overflow-x:auto}
-table{border-collapse:collapse;font-size:.78rem;font-variant-numeric:tabular-nums;min-width:100%}
-th,td{padding:.35rem .4rem;text-align:right;border-bottom:1px solid #d9dee5}
-th:first-child,td:first-child{text-align:left;position:sticky;left:0;background:#fff}
-td:first-child{white-space:nowrap}thead th{vertical-align:bottom;font-weight:600}.unit{color:#667;font-weight:400}
+h1{font-size:1.6rem;line-height:1.2;margin:.5rem 0;overflow-wrap:anywhere}
+h2{font-size:1.2rem;margin:2rem 0 .5rem;break-after:avoid}
+p,li{max-width:52rem}ul{padding-left:1.2rem}li{margin:.3rem 0}.wide{overflow-x:auto}
+table{border-collapse:collapse;font-size:.85rem;font-variant-numeric:tabular-nums;min-width:100%}
+th,td{padding:.25rem .5rem;text-align:right;border-bottom:1px solid #d9dee5}
+th{font-weight:400;min-width:3.5rem}thead th{vertical-align:bottom;font-weight:600;line-height:1.25}
+th:first-child{text-align:left;position:sticky;left:0;background:#fff;min-width:8.5rem}
+.group th{font-weight:600;padding-top:.8rem;border-bottom-color:#8a94a3}
+.best{font-weight:700;background:#e8f0e4}.unit{color:#667}
 .row{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(46%,260px),1fr));gap:1rem}
 figure{margin:0;break-inside:avoid}figcaption{font-size:.85rem;color:#445}
 img,svg{width:100%;height:auto;display:block;border:1px solid #d9dee5}
-@media print{body{max-width:none;font-size:11px}.wide{overflow:visible}table{font-size:8px}th,td{padding:.15rem .25rem}
-.row{grid-template-columns:repeat(4,1fr);gap:.4rem}}
+@media(max-width:600px){table{font-size:.75rem}th,td{padding:.2rem .3rem}th:first-child{min-width:7rem}}
+@media print{@page{margin:12mm}body{max-width:none;padding:0;font-size:10px}.wide{overflow:visible}
+table{font-size:8px}th,td{padding:.1rem .25rem}tr,li{break-inside:avoid}.group{break-after:avoid}
+.best{-webkit-print-color-adjust:exact;print-color-adjust:exact}th:first-child{position:static}
+p,li{max-width:none}.row{grid-template-columns:repeat(4,1fr);gap:.4rem}h2{margin-top:1rem}}
 </style>
 )";
 
@@ -56,18 +63,48 @@ std::string base64(const std::vector<std::uint8_t>& bytes)
 	return out;
 }
 
+using Shown = std::vector<Figures>;
+
+void writeTableHead(std::ostream& out, const Shown& maps)
+{
+	out << "<div class=\"wide\"><table><thead><tr><th></th>";
+	for (const Figures& f : maps) out << "<th>" << escaped(f.name) << "</th>";
+	out << "</tr></thead><tbody>\n";
+}
+
+/** The best of these maps is marked. */
+void writeLine(std::ostream& out, const Line& line, const std::string& heading, const Shown& maps)
+{
+	out << "<tr><th>" << heading << " <span class=\"unit\">" << line.unit << "</span></th>";
+	for (const Figures& f : maps)
+		out << (line.isBest(f, maps) ? "<td class=\"best\">" : "<td>") << line.text(f) << "</td>";
+	out << "</tr>\n";
+}
+
+void writeShortTable(std::ostream& out, const Report& r)
+{
+	Shown maps;
+	for (const Figures& f : r.figures)
+		if (!hasRemark(f)) maps.push_back(f);
+	writeTableHead(out, maps);
+	for (const Line& line : mainLinesOf(r)) writeLine(out, line, line.shortName, maps);
+	out << "</tbody></table></div>\n";
+}
+
 void writeFiguresTable(std::ostream& out, const Report& r)
 {
-	const auto columns = columnsOf(r);
-	out << "<div class=\"wide\"><table><thead><tr><th>map</th>";
-	for (const Column& c : columns)
-		out << "<th>" << c.heading << "<br><span class=\"unit\">" << c.unit << "</span></th>";
-	out << "</tr></thead><tbody>\n";
-	for (const Figures& f : r.figures)
+	out << "<h2>All figures</h2><p>Less is better everywhere but in &ldquo;complete&rdquo;. What the lines mean is "
+		   "said "
+		   "at the end.</p>\n";
+	writeTableHead(out, r.figures);
+	std::string group;
+	for (const Line& line : linesOf(r))
 	{
-		out << "<tr><td>" << escaped(f.name) << "</td>";
-		for (const Column& c : columns) out << "<td>" << c.text(f) << "</td>";
-		out << "</tr>\n";
+		if (line.group != group)
+			out << "<tr class=\"group\"><th colspan=\"" << r.figures.size() + 1 << "\">" << line.group
+				<< "</th></tr>\n";
+		group = line.group;
+		writeLine(out, line, line.heading, r.figures);
 	}
 	out << "</tbody></table></div>\n";
 }
@@ -93,55 +130,13 @@ void writeHistogram(std::ostream& out, const std::string& name, const Distances&
 		<< "</figcaption></figure>\n";
 }
 
-void writeHistograms(std::ostream& out, const Report& r)
+void writeHistograms(std::ostream& out, const Report& r, const char* title, const char* what, Distances Figures::*which)
 {
-	const bool truth = !r.truth.empty();
-	if (!truth && r.folds == 0) return;
-	out << "<h2>" << (truth ? "Error of the surface" : "Held-out scans") << "</h2><p>"
-		<< (truth ? "Distance of the points along the surface of each map to the true surface."
-				  : "Distance of the ends of scans that the map has not seen to its surface.")
+	out << "<h2>" << title << "</h2><p>" << what
 		<< " Bars are 5 mm wide; the last one is all beyond 10 cm. Scales differ: each shows its highest bar in "
-		   "full.</p>"
-		<< "<div class=\"row\">";
-	for (const Figures& f : r.figures) writeHistogram(out, f.name, truth ? f.surface : f.heldOut);
+		   "full.</p><div class=\"row\">";
+	for (const Figures& f : r.figures) writeHistogram(out, f.name, f.*which);
 	out << "</div>\n";
-}
-
-/** What the figures mean, and where they do not speak for the ridge map. */
-void writeNotes(std::ostream& out, const Report& r)
-{
-	out << "<h2>How to read this</h2>\n<ul>\n"
-		   "<li>All maps took in the same scans at the same poses, one after the other, in one thread. The poses are "
-		   "not "
-		   "corrected by any of the maps.</li>\n<li>All poses were turned by "
-		<< r.rotation
-		<< " degrees: walls that run along the axes of a grid are its easiest or its worst case, depending on where "
-		   "the "
-		   "cell borders happen to fall.</li>\n"
-		   "<li>MRPT's grid spreads the N beams of a scan over the aperture in steps of aperture/N; its other maps, "
-		   "and "
-		   "scanners, use aperture/(N-1). The grids without a remark were given scans turned and widened so that their "
-		   "beams lie where they were measured; the others show MRPT as it is.</li>\n"
-		   "<li>The surface of a grid is the centres of all cells below 0.35 (probability of being free), that of the "
-		   "points "
-		   "map its points, that of the ridge map its walls. A cell or point on either side of a wall counts as an "
-		   "error "
-		   "although it is where a measurement was: this is what a user of the surface gets.</li>\n"
-		   "<li>Held-out scans favour maps that keep many scattered points: the nearest of many noisy points is near "
-		   "by "
-		   "chance. The distance to a true wall would have the noise of the scanner as its median, not zero.</li>\n"
-		   "<li>Memory is that of the map alone: cells, or points, or measurements with polylines, not trees and "
-		   "caches. "
-		   "Serialized is MRPT's archive, compressed by zlib. The ridge map stores its measurements; frozen, only its "
-		   "polylines, a few kilobytes.</li>\n"
-		   "<li>Likelihood and matching take all beams, 4 cm beside the true pose. The first time builds what queries "
-		   "need "
-		   "(trees, or the likelihood cache of a grid); the median is of up to 200 further scans.</li>\n"
-		   "<li>What the grid does and the ridge map does not: it knows free space from unknown space, it forgets "
-		   "people "
-		   "who went away, and it takes in a scan in a time that does not depend on what is there. Choose it for "
-		   "planning "
-		   "paths.</li>\n</ul>\n";
 }
 }  // namespace
 
@@ -152,10 +147,13 @@ void writeHtml(std::ostream& out, const Report& r)
 		<< escaped(r.input) << "</title>\n"
 		<< style << "</head><body>\n<h1>Maps of " << escaped(r.input) << "</h1>\n<p>" << r.scans
 		<< " scans, smoothing parameter sigma " << r.sigma << " m"
-		<< (r.truth.empty() ? ", no truth" : ", truth from " + escaped(r.truth)) << ". Less is better in all columns"
-		<< (r.truth.empty() ? "" : " but complete (share of the seen surface with a surface of the map within 3 cm)")
-		<< ".</p>\n";
-	writeFiguresTable(out, r);
+		<< (r.truth.empty() ? ", no truth" : ", truth from " + escaped(r.truth))
+		<< (r.secondPass.empty() ? "" : ", second pass from " + escaped(r.secondPass))
+		<< ".</p>\n<h2>In short</h2>\n<p>Less is better in all lines; the best is marked.</p>\n";
+	writeShortTable(out, r);
+	out << "<ul>\n";
+	for (const std::string& sentence : inShort(r)) out << "<li>" << escaped(sentence) << "</li>\n";
+	out << "</ul>\n";
 	for (const PictureRow& row : r.rows)
 	{
 		out << "<h2>" << escaped(row.title) << "</h2><div class=\"row\">\n";
@@ -164,7 +162,13 @@ void writeHtml(std::ostream& out, const Report& r)
 				<< "\"><figcaption>" << escaped(p.caption) << "</figcaption></figure>\n";
 		out << "</div>\n";
 	}
-	writeHistograms(out, r);
+	writeFiguresTable(out, r);
+	if (!r.truth.empty())
+		writeHistograms(out, r, "Error of the surface",
+						"Distance of points along the surface of each map to the true surface.", &Figures::surface);
+	if (r.folds > 0)
+		writeHistograms(out, r, "Scans held out",
+						"Distance of the ends of beams that the map has not seen to its surface.", &Figures::heldOut);
 	writeNotes(out, r);
 	out << "</body></html>\n";
 }

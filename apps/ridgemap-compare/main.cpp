@@ -22,37 +22,30 @@ namespace ridgemap::apps
 namespace
 {
 constexpr const char* description =
-	"Builds a ridge map, occupancy grids of 5, 2 and 1 cm and a points map from the 2-D scans of INPUT (.simplemap or "
-	".rawlog) at the same poses, measures all of them the same way, and writes DIR/report.html and DIR/report.json.";
+	"Builds a ridge map, occupancy grids of 5, 2 and 1 cm and a points map from the scans of INPUT (.simplemap or "
+	".rawlog) "
+	"at the same poses, measures all of them the same way, and writes DIR/report.html and DIR/report.json.";
 
 struct CommandLine
 {
-	std::string input, truth, directory;
+	std::string input, secondPass, truth, directory;
 	double rotation = 17, sigma = Options().sigma;
 	std::size_t folds = 5;
 	PoseChoice poses;
 };
 
-std::vector<PosedScan> readScans(const CommandLine& c)
-{
-	const mrpt::poses::CPose3D turn(0, 0, 0, c.rotation * std::acos(-1.0) / 180, 0, 0);
-	std::vector<PosedScan> scans;
-	const auto reader = openReader(c.input, c.poses);
-	for (Frame frame; reader->next(frame);)
-		if (auto scan = std::dynamic_pointer_cast<mrpt::obs::CObservation2DRangeScan>(frame.observation);
-			scan && frame.pose)
-			scans.push_back({scan, turn + *frame.pose});
-	if (scans.size() < 2)
-		throw UserError("'" + c.input + "' holds fewer than two 2-D scans with poses", "give a .simplemap or .rawlog");
-	return scans;
-}
-
 std::vector<Segment> readTurnedTruth(const CommandLine& c)
 {
 	if (c.truth.empty()) return {};
 	std::vector<Segment> truth = readTruth(c.truth);
-	const double a = c.rotation * std::acos(-1.0) / 180, co = std::cos(a), si = std::sin(a);
-	const auto turn = [&](const Point2& p) { return Point2{co * p.x - si * p.y, si * p.x + co * p.y}; };
+	const mrpt::poses::CPose3D pose = turnBy(c.rotation);
+	const auto turn = [&](const Point2& p)
+	{
+		Point2 out;
+		double height = 0;
+		pose.composePoint(p.x, p.y, 0, out.x, out.y, height);
+		return out;
+	};
 	for (Segment& s : truth)
 	{
 		s.a = turn(s.a);
@@ -61,7 +54,8 @@ std::vector<Segment> readTurnedTruth(const CommandLine& c)
 	return truth;
 }
 
-Picture draw(const Contestant& map, const Box2& box, int pixels, const std::vector<Segment>& truth)
+Picture draw(const Contestant& map, const std::string& name, const Box2& box, int pixels,
+			 const std::vector<Segment>& truth)
 {
 	View view;
 	view.box = box;
@@ -72,50 +66,72 @@ Picture draw(const Contestant& map, const Box2& box, int pixels, const std::vect
 		cv::line(picture, cv::Point(cv::Point2d(view.px(s.a.x), view.py(s.a.y)) * 16),
 				 cv::Point(cv::Point2d(view.px(s.b.x), view.py(s.b.y)) * 16), cv::Scalar(27, 71, 200), 1, cv::LINE_AA,
 				 4);
-	Picture out{map.name(), {}};
+	Picture out{name, {}};
 	cv::imencode(".png", picture, out.png);
 	return out;
 }
 
-using Maps = std::vector<std::unique_ptr<Contestant>>;
-
-void addPictures(Report& report, const Maps& maps, const std::vector<Segment>& truth)
+/** A part of the map that is drawn of every contestant. */
+struct Place
 {
-	const auto& ridge = dynamic_cast<const CRidgeMap2D&>(maps.front()->map());
-	const auto row = [&](const std::string& title, const Box2& box, int pixels, bool withTruth)
-	{
-		report.rows.push_back({title, {}});
-		for (const auto& map : maps)
-			report.rows.back().pictures.push_back(draw(*map, box, pixels, withTruth ? truth : std::vector<Segment>()));
-	};
-	const std::string red = truth.empty() ? "" : ", the truth in red";
-	row("The whole map", grown(ridge.box(), 0.5), 640, false);
-	if (const auto corner = sharpestCorner(ridge)) row("A corner, 1 m wide" + red, around(*corner, 0.5), 400, true);
-	if (const auto thin = thinnestWall(ridge)) row("Two close surfaces, 1 m wide" + red, around(*thin, 0.5), 400, true);
+	std::string title;
+	Box2 box;
+	int pixels;
+	bool withTruth;
+};
+
+std::vector<Place> placesOf(const CRidgeMap2D& map, bool truth)
+{
+	std::vector<Place> places{{"The whole map", grown(map.box(), 0.5), 640, false}};
+	const std::string red = truth ? ", the truth in red" : "";
+	if (const auto corner = sharpestCorner(map))
+		places.push_back({"A corner, 1 m wide" + red, around(*corner, 0.5), 400, truth});
+	if (const auto thin = thinnestWall(map))
+		places.push_back({"Two close surfaces, 1 m wide" + red, around(*thin, 0.5), 400, truth});
+	return places;
+}
+
+std::string fileName(const std::string& path)
+{
+	return std::filesystem::path(path).filename().string();
 }
 
 Report compare(const CommandLine& c)
 {
-	const std::vector<PosedScan> scans = readScans(c);
-	const std::vector<Segment> truth = readTurnedTruth(c);
+	Scans scans = readScans(c.input, c.poses, c.rotation);
 	MapOptions options;
 	options.creation.sigma = c.sigma;
 	options.validate();
 	Report report;
-	report.input = std::filesystem::path(c.input).filename().string();
-	report.truth = c.truth.empty() ? "" : std::filesystem::path(c.truth).filename().string();
-	report.scans = scans.size();
+	report.input = fileName(c.input);
+	report.truth = fileName(c.truth);
+	report.secondPass = fileName(c.secondPass);
+	report.scans = scans.all.size();
+	report.fromClouds = scans.fromClouds;
 	report.folds = c.folds;
 	report.rotation = c.rotation;
 	report.sigma = c.sigma;
-	const Maps maps = makeContestants(options, grown(boxOf(scans), 1));
-	for (const auto& map : maps)
+	Material material{std::move(scans.all), {}, readTurnedTruth(c), c.folds};
+	if (!c.secondPass.empty()) material.secondPass = readScans(c.secondPass, c.poses, c.rotation).all;
+	const Surroundings around{grown(boxOf(material.scans), 1), scans.fromClouds > 0};
+	std::vector<Place> places;
+	for (const ContestantKind& kind : contestantKinds(options, around))
 	{
-		std::fprintf(stderr, "measuring %s\n", map->name().c_str());
-		report.figures.push_back(measure(*map, scans, truth));
-		if (c.folds > 0) report.figures.back().heldOut = crossValidate(*map, scans, c.folds);
+		std::fprintf(stderr, "measuring %s\n", kind.name.c_str());
+		const Measured measured = measure(kind, material);
+		report.figures.push_back(measured.figures);
+		if (places.empty())  // the ridge map is the first
+		{
+			places = placesOf(dynamic_cast<const CRidgeMap2D&>(measured.map->map()), !material.truth.empty());
+			for (const Place& place : places) report.rows.push_back({place.title, {}});
+		}
+		for (std::size_t i = 0; i < places.size(); i++)
+		{
+			const Place& place = places[i];
+			report.rows[i].pictures.push_back(draw(*measured.map, kind.name, place.box, place.pixels,
+												   place.withTruth ? material.truth : std::vector<Segment>()));
+		}
 	}
-	addPictures(report, maps, truth);
 	return report;
 }
 
@@ -136,6 +152,8 @@ std::optional<CommandLine> parse(int argc, char** argv)
 	using Text = TCLAP::ValueArg<std::string>;
 	TCLAP::UnlabeledMultiArg<std::string> inputs("INPUT", "Scans with poses", false, "INPUT", cmd);
 	TCLAP::SwitchArg odometry("", "odometry", "Poses of a rawlog from its odometry", cmd);
+	Text second("", "second-pass", "Scans with poses to be localised in the maps (default: scans held out)", false, "",
+				"FILE", cmd);
 	Text poses("", "poses", "Poses of a rawlog; see ridgemap-build", false, "", "FILE", cmd);
 	Text folds("", "folds", "Maps built without one scan in N, to see how the others fit; 0: none (default: 5)", false,
 			   "", "N", cmd);
@@ -153,6 +171,7 @@ std::optional<CommandLine> parse(int argc, char** argv)
 	c.input = inputs.getValue().front();
 	c.directory = directory.getValue();
 	c.truth = truth.getValue();
+	c.secondPass = second.getValue();
 	c.sigma = numberOf(sigma, c.sigma, 1e-4, 100);
 	c.rotation = numberOf(rotate, c.rotation, -360, 360);
 	c.folds = std::size_t(numberOf(folds, double(c.folds), 0, 100));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "measure.h"
 
+#include <malloc.h>
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/poses/CPose2D.h>
@@ -8,33 +9,44 @@
 #include <mrpt/tfest/TMatchingPair.h>
 #include <ridgemap/observation_to_measurements.h>
 #include <ridgemap/polyline_index.h>
+#include <time.h>
 #include <zlib.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <functional>
+
+#include "quantile.h"
 
 namespace ridgemap::apps
 {
 namespace
 {
-constexpr double reach = 0.1;     // distances beyond count apart [m]
-constexpr double covered = 0.03;  // truth with a surface this near is complete [m]
+constexpr double reach = 0.1;      // distances beyond count apart [m]
+constexpr double measured = 0.05;  // truth with the end of a beam this near was seen [m]
+constexpr double covered = 0.03;   // truth with a surface this near is complete [m]
 constexpr std::size_t mostQueries = 200;
+
+/** Time that the processor spent on the program, all of its threads [us]: other programs do not count. */
+double processorTime()
+{
+	timespec t{};
+	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+	return 1e6 * double(t.tv_sec) + 1e-3 * double(t.tv_nsec);
+}
 
 double microseconds(const std::function<void()>& task)
 {
-	const auto start = std::chrono::steady_clock::now();
+	const double start = processorTime();
 	task();
-	return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+	return processorTime() - start;
 }
 
-double quantile(std::vector<double> v, double q)
+/** Of the whole program [bytes]. */
+std::size_t heapInUse()
 {
-	if (v.empty()) return 0;
-	std::sort(v.begin(), v.end());
-	return v[std::min(v.size() - 1, std::size_t(std::ceil(q * double(v.size()))) - (q > 0 ? 1 : 0))];
+	const auto info = mallinfo2();
+	return info.uordblks + info.hblkhd;
 }
 
 Times timesOf(const std::vector<double>& us)
@@ -71,41 +83,95 @@ Distances distancesOf(const std::vector<double>& all)
 	return d;
 }
 
-void measureBytes(const mrpt::maps::CMetricMap& map, Figures& f)
+struct Bytes
+{
+	std::size_t serialized = 0, compressed = 0;
+};
+
+Bytes bytesOf(const mrpt::maps::CMetricMap& map)
 {
 	mrpt::io::CMemoryStream stream;
 	mrpt::serialization::archiveFrom(stream) << map;
-	f.serialized = stream.getTotalBytesCount();
-	uLongf size = compressBound(uLong(f.serialized));
+	const auto n = stream.getTotalBytesCount();
+	uLongf size = compressBound(uLong(n));
 	std::vector<Bytef> packed(size);
-	compress(packed.data(), &size, static_cast<const Bytef*>(stream.getRawBufferData()), uLong(f.serialized));
-	f.compressed = size;
+	compress(packed.data(), &size, static_cast<const Bytef*>(stream.getRawBufferData()), uLong(n));
+	return {std::size_t(n), std::size_t(size)};
 }
 
-/** Queries at the poses of up to 200 scans, a little beside them, as a robot that is not sure yet asks. */
+void measureBytes(const Contestant& c, Figures& f)
+{
+	const Bytes map = bytesOf(c.map());
+	f.serialized = map.serialized;
+	f.compressed = map.compressed;
+	const auto reduced = c.forLocalization();
+	f.onRobot = reduced ? bytesOf(*reduced).compressed : map.compressed;
+}
+
+QueryTimes queryTimesOf(const std::vector<double>& fresh, const std::vector<double>& again)
+{
+	return {timesOf(fresh), quantile(again, 0.5)};
+}
+
+/** Queries at the poses of up to 200 scans, a little beside them, as a robot that is not sure yet asks. Each twice: the
+ * first time, nothing at this place is in a cache. */
 void measureQueries(const Contestant& c, const std::vector<PosedScan>& scans, Figures& f)
 {
-	std::vector<double> likelihood, matching;
+	std::vector<double> likelihood[2], matching[2];
 	const std::size_t step = std::max<std::size_t>(1, scans.size() / mostQueries);
 	mrpt::maps::TMatchingParams params;
 	params.maxDistForCorrespondence = 0.3f;
 	for (std::size_t i = 0; i < scans.size(); i += step)
 	{
 		const auto pose = scans[i].pose + mrpt::poses::CPose3D(0.03, 0.02, 0, 0.01, 0, 0);
-		likelihood.push_back(microseconds([&] { (void)c.map().computeObservationLikelihood(*scans[i].scan, pose); }));
+		const auto scan = thinned(*scans[i].scan, std::size_t(-1));
 		mrpt::maps::CSimplePointsMap points;
 		points.insertionOptions.minDistBetweenLaserPoints = 0;
-		points.insertObservation(*scans[i].scan);
+		points.insertObservation(*scan);
 		mrpt::tfest::TMatchingPairList pairs;
 		mrpt::maps::TMatchingExtraResults extra;
-		matching.push_back(microseconds(
-			[&] { c.map().determineMatching2D(&points, mrpt::poses::CPose2D(pose), pairs, params, extra); }));
+		for (std::vector<double>& times : likelihood)
+			times.push_back(microseconds([&] { (void)c.map().computeObservationLikelihood(*scan, pose); }));
+		for (std::vector<double>& times : matching)
+			times.push_back(microseconds(
+				[&] { c.map().determineMatching2D(&points, mrpt::poses::CPose2D(pose), pairs, params, extra); }));
 	}
-	f.likelihood = timesOf(likelihood);
-	f.matching = timesOf(matching);
+	f.likelihood = queryTimesOf(likelihood[0], likelihood[1]);
+	f.matching = queryTimesOf(matching[0], matching[1]);
 }
 
-void compareWithTruth(Contestant& c, const std::vector<Segment>& truth, Figures& f)
+std::vector<Measurement> endsOf(const PosedScan& s)
+{
+	return observationToMeasurements(*s.scan, s.pose, TInsertionOptions());
+}
+
+/** Share of the truth with a surface of the map near. Of the truth counts what is said to be seen and has the end of a
+ * beam near. */
+double completenessOf(const Contestant& c, const std::vector<Segment>& truth, const std::vector<PosedScan>& scans)
+{
+	mrpt::maps::CSimplePointsMap ends;
+	for (const PosedScan& s : scans)
+		for (const Measurement& m : endsOf(s)) ends.insertPointFast(float(m.x), float(m.y), 0);
+	ends.mark_as_modified();
+	std::size_t all = 0, found = 0;
+	for (const Segment& s : truth)
+	{
+		if (!s.seen || ends.empty()) continue;
+		const auto n = std::size_t(std::ceil(s.length() / 0.01));
+		for (std::size_t k = 0; k < n; k++)
+		{
+			const Point2 p = s.at((double(k) + 0.5) / double(n));
+			float squared = 0;
+			ends.kdTreeClosestPoint2D(float(p.x), float(p.y), squared);
+			if (std::sqrt(double(squared)) > measured) continue;
+			all++;
+			found += c.distance(p) <= covered ? 1 : 0;
+		}
+	}
+	return all > 0 ? double(found) / double(all) : 0;
+}
+
+void compareWithTruth(Contestant& c, const std::vector<Segment>& truth, const std::vector<PosedScan>& scans, Figures& f)
 {
 	std::vector<Polyline> lines;
 	for (const Segment& s : truth)
@@ -118,48 +184,65 @@ void compareWithTruth(Contestant& c, const std::vector<Segment>& truth, Figures&
 	for (const Point2& p : c.surface())
 		if (const auto nearest = index.nearest(p)) errors.push_back(nearest->distance);
 	f.surface = distancesOf(errors);
-	std::size_t all = 0, found = 0;
-	for (const Segment& s : truth)
-		if (s.seen)
-		{
-			const auto n = std::size_t(std::ceil(s.length() / 0.01));
-			for (std::size_t k = 0; k < n; k++, all++)
-				found += c.distance(s.at((double(k) + 0.5) / double(n))) <= covered ? 1 : 0;
-		}
-	f.completeness = all > 0 ? double(found) / double(all) : 0;
+	f.completeness = completenessOf(c, truth, scans);
+}
+
+/** Builds the map without each N-th scan and appends the distances of those to it. */
+std::unique_ptr<Contestant> holdOut(const ContestantKind& kind, const Material& m, std::size_t fold,
+									std::vector<double>& residuals)
+{
+	auto map = kind.make();
+	for (std::size_t i = 0; i < m.scans.size(); i++)
+		if (i % m.folds != fold) map->insert(m.scans[i]);
+	map->prepareDistances();
+	for (std::size_t i = fold; i < m.scans.size(); i += m.folds)
+		for (const Measurement& end : endsOf(m.scans[i])) residuals.push_back(map->distance({end.x, end.y}));
+	return map;
+}
+
+void measureLocalization(const Contestant& c, const std::vector<PosedScan>& pass, Figures& f)
+{
+	f.localization = localise(c.map(), pass);
+	const auto reduced = c.forLocalization();
+	f.onRobotLocalization = reduced ? localise(*reduced, pass) : f.localization;
+}
+
+void crossValidate(const ContestantKind& kind, const Material& m, Figures& f)
+{
+	std::vector<double> residuals;
+	for (std::size_t fold = 0; fold < m.folds; fold++)
+	{
+		const auto map = holdOut(kind, m, fold, residuals);
+		if (fold > 0 || !m.secondPass.empty()) continue;
+		std::vector<PosedScan> unseen;
+		for (std::size_t i = fold; i < m.scans.size(); i += m.folds) unseen.push_back(m.scans[i]);
+		measureLocalization(*map, unseen, f);
+	}
+	f.heldOut = distancesOf(residuals);
 }
 }  // namespace
 
-Figures measure(Contestant& c, const std::vector<PosedScan>& scans, const std::vector<Segment>& truth)
+Measured measure(const ContestantKind& kind, const Material& m)
 {
-	Figures f;
-	f.name = c.name();
 	std::vector<double> insertion;
-	for (const PosedScan& s : scans) insertion.push_back(microseconds([&] { c.insert(s); }));
+	insertion.reserve(m.scans.size());
+	const std::size_t heapBefore = heapInUse();
+	Measured result{kind.make(), Figures()};
+	Contestant& c = *result.map;
+	Figures& f = result.figures;
+	f.name = kind.name;
+	for (const PosedScan& s : m.scans) insertion.push_back(microseconds([&] { c.insert(s); }));
 	f.insertion = timesOf(insertion);
 	f.memory = c.memory();
-	measureBytes(c.map(), f);
-	measureQueries(c, scans, f);
-	if (truth.empty()) return f;
+	measureQueries(c, m.scans, f);
+	f.heap = std::max(heapInUse(), heapBefore) - heapBefore;
+	measureBytes(c, f);
+	if (!m.secondPass.empty()) measureLocalization(c, m.secondPass, f);
+	crossValidate(kind, m, f);
+	if (m.truth.empty()) return result;
 	c.prepareDistances();
-	compareWithTruth(c, truth, f);
-	return f;
-}
-
-Distances crossValidate(const Contestant& kind, const std::vector<PosedScan>& scans, std::size_t folds)
-{
-	std::vector<double> residuals;
-	for (std::size_t fold = 0; fold < folds; fold++)
-	{
-		const auto map = kind.fresh();
-		for (std::size_t i = 0; i < scans.size(); i++)
-			if (i % folds != fold) map->insert(scans[i]);
-		map->prepareDistances();
-		for (std::size_t i = fold; i < scans.size(); i += folds)
-			for (const Measurement& m : observationToMeasurements(*scans[i].scan, scans[i].pose, TInsertionOptions()))
-				residuals.push_back(map->distance({m.x, m.y}));
-	}
-	return distancesOf(residuals);
+	compareWithTruth(c, m.truth, m.scans, f);
+	return result;
 }
 
 }  // namespace ridgemap::apps

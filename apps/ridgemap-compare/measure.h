@@ -6,6 +6,7 @@
 
 #include "../common/segment.h"
 #include "contestant.h"
+#include "localization.h"
 
 namespace ridgemap::apps
 {
@@ -22,7 +23,7 @@ struct Distances
 	std::vector<double> histogram;
 };
 
-/** Durations of equal tasks [us]. */
+/** Processor time of equal tasks, over all threads [us]. */
 struct Times
 {
 	double cold = 0;  ///< the first one, which builds what queries need
@@ -30,21 +31,48 @@ struct Times
 	double growth = 1;  ///< median of the last tenth over the median of the first tenth
 };
 
+/** Durations of queries: the first time with a scan, and at once again. */
+struct QueryTimes
+{
+	Times fresh;
+	double again = 0;  ///< median [us]
+};
+
 /** All figures of one map. */
 struct Figures
 {
 	std::string name;
 	std::size_t memory = 0, serialized = 0, compressed = 0;  ///< [bytes]
-	Times insertion, likelihood, matching;
+	std::size_t heap = 0;     ///< what the program holds more after building and all queries, caches included [bytes]
+	std::size_t onRobot = 0;  ///< compressed, of what localisation needs [bytes]
+	Times insertion;
+	QueryTimes likelihood, matching;
 	Distances surface;        ///< surface of the map to the truth
 	double completeness = 0;  ///< share of the seen truth with a surface within 3 cm
 	Distances heldOut;        ///< ends of scans that the map was built without
+	Localization localization;
+	Localization onRobotLocalization;  ///< in the map of which onRobot is the size
 };
 
-/** Builds the map of all scans in `map` and measures everything but heldOut. The truth may be empty. */
-Figures measure(Contestant& map, const std::vector<PosedScan>& scans, const std::vector<Segment>& truth);
+/** What the maps are built of and measured with. */
+struct Material
+{
+	std::vector<PosedScan> scans;
+	std::vector<PosedScan> secondPass;  ///< to be localised in the map of all scans; may be empty
+	std::vector<Segment> truth;         ///< may be empty
+	std::size_t folds = 0;              ///< 0: no scans are held out
+};
 
-/** Builds `folds` maps, each without one scan in `folds`, and looks at the scans left out. */
-Distances crossValidate(const Contestant& kind, const std::vector<PosedScan>& scans, std::size_t folds);
+/** A map of all scans and its figures. */
+struct Measured
+{
+	std::unique_ptr<Contestant> map;
+	Figures figures;
+};
+
+/** Builds the map of all scans and measures it; with folds, builds that many further maps, each without one scan in
+ * `folds`, and looks at the scans left out. Without a second pass, those that the first of these maps was built without
+ * are localised in it. */
+Measured measure(const ContestantKind& kind, const Material& material);
 
 }  // namespace ridgemap::apps

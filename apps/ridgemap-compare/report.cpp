@@ -11,25 +11,46 @@ namespace ridgemap::apps
 {
 namespace
 {
-std::string fixed(double v, int digits)
+void writeTimes(JsonWriter& json, const Times& t)
 {
-	char text[48];
-	std::snprintf(text, sizeof(text), "%.*f", digits, v);
-	return text;
-}
-
-std::string kilobytes(std::size_t bytes)
-{
-	return fixed(double(bytes) / 1000, bytes < 10000 ? 1 : 0);
-}
-
-void writeTimes(JsonWriter& json, const std::string& key, const Times& t)
-{
-	json.beginObject(key);
 	json.value("firstUs", t.cold);
 	json.value("medianUs", t.median);
 	json.value("p99Us", t.p99);
 	json.value("lastTenthOverFirst", t.growth);
+}
+
+void writeQueryTimes(JsonWriter& json, const std::string& key, const QueryTimes& t)
+{
+	json.beginObject(key);
+	writeTimes(json, t.fresh);
+	json.value("againMedianUs", t.again);
+	json.end();
+}
+
+void writeLocalization(JsonWriter& json, const std::string& key, const Localization& l)
+{
+	json.beginObject(key);
+	json.value("count", l.count);
+	json.value("positionMedian", l.median);
+	json.value("positionP99", l.p99);
+	json.value("headingMedianDegrees", l.heading);
+	json.value("shareLost", l.lost);
+	json.end();
+}
+
+void writeFilterSettings(JsonWriter& json)
+{
+	const FilterSettings s;
+	json.beginObject("localizationSettings");
+	json.value("runs", s.runs);
+	json.value("particles", s.particles);
+	json.value("beams", s.beams);
+	json.value("settlingScans", s.settling);
+	json.value("spread", s.spread);
+	json.value("hit", s.hit);
+	json.value("range", s.range);
+	json.value("farthest", s.farthest);
+	json.value("lost", s.lost);
 	json.end();
 }
 
@@ -45,48 +66,51 @@ void writeDistances(JsonWriter& json, const std::string& key, const Distances& d
 	json.end();
 	json.end();
 }
-}  // namespace
 
-std::vector<Column> columnsOf(const Report& report)
+/** Words one below the other, as many in a line as fit. */
+std::vector<std::string> wrapped(const std::string& text, std::size_t width)
 {
-	std::vector<Column> columns;
-	if (!report.truth.empty())
-	{
-		columns.push_back(
-			{"error to truth, rms", "mm", [](const Figures& f) { return fixed(1e3 * f.surface.rms, 2); }});
-		columns.push_back(
-			{"farther than 10 cm", "%", [](const Figures& f) { return fixed(100 * f.surface.beyond, 2); }});
-		columns.push_back({"complete", "%", [](const Figures& f) { return fixed(100 * f.completeness, 2); }});
-	}
-	if (report.folds > 0)
-		columns.push_back(
-			{"held-out scans, median", "mm", [](const Figures& f) { return fixed(1e3 * f.heldOut.median, 1); }});
-	columns.push_back({"memory", "kB", [](const Figures& f) { return kilobytes(f.memory); }});
-	columns.push_back({"serialized", "kB", [](const Figures& f) { return kilobytes(f.serialized); }});
-	columns.push_back({"compressed", "kB", [](const Figures& f) { return kilobytes(f.compressed); }});
-	columns.push_back({"insert a scan", "us", [](const Figures& f) { return fixed(f.insertion.median, 0); }});
-	columns.push_back({"insert, 99 %", "us", [](const Figures& f) { return fixed(f.insertion.p99, 0); }});
-	columns.push_back({"last / first tenth", "", [](const Figures& f) { return fixed(f.insertion.growth, 2); }});
-	columns.push_back({"likelihood", "us", [](const Figures& f) { return fixed(f.likelihood.median, 0); }});
-	columns.push_back({"likelihood, first", "us", [](const Figures& f) { return fixed(f.likelihood.cold, 0); }});
-	columns.push_back({"matching", "us", [](const Figures& f) { return fixed(f.matching.median, 0); }});
-	columns.push_back({"matching, first", "us", [](const Figures& f) { return fixed(f.matching.cold, 0); }});
-	return columns;
+	std::vector<std::string> lines;
+	std::istringstream words(text);
+	for (std::string word; words >> word;)
+		if (!lines.empty() && lines.back().size() + 1 + word.size() <= width)
+			lines.back() += " " + word;
+		else
+			lines.push_back(word);
+	return lines;
 }
+
+void printNames(const Report& report, int width)
+{
+	std::vector<std::vector<std::string>> names;
+	std::size_t lines = 0;
+	for (const Figures& f : report.figures)
+	{
+		names.push_back(wrapped(f.name, std::size_t(width) - 1));
+		lines = std::max(lines, names.back().size());
+	}
+	for (std::size_t i = 0; i < lines; i++)
+	{
+		std::printf("%s%-36s", i > 0 ? "\n" : "", "");
+		for (const auto& name : names) std::printf("%*s", width, i < name.size() ? name[i].c_str() : "");
+	}
+}
+}  // namespace
 
 void printTable(const Report& report)
 {
-	std::printf("%-28s", "");
-	std::size_t width = 0;
-	for (const Figures& f : report.figures) width = std::max(width, f.name.size());
-	for (const Figures& f : report.figures) std::printf("%*s", int(width) + 2, f.name.c_str());
-	std::printf("\n");
-	for (const Column& column : columnsOf(report))
+	constexpr int width = 11;
+	printNames(report, width);
+	std::string group;
+	for (const Line& line : linesOf(report))
 	{
-		std::printf("%-28s", (column.heading + (column.unit.empty() ? "" : " [" + column.unit + "]")).c_str());
-		for (const Figures& f : report.figures) std::printf("%*s", int(width) + 2, column.text(f).c_str());
-		std::printf("\n");
+		if (line.group != group) std::printf("\n%s", line.group.c_str());
+		group = line.group;
+		std::printf("\n  %-34s", (line.heading + (line.unit.empty() ? "" : " [" + line.unit + "]")).c_str());
+		for (const Figures& f : report.figures) std::printf("%*s", width, line.text(f).c_str());
 	}
+	std::printf("\n\n");
+	for (const std::string& sentence : inShort(report)) std::printf("%s\n", sentence.c_str());
 }
 
 void writeJson(std::ostream& out, const Report& report)
@@ -97,27 +121,39 @@ void writeJson(std::ostream& out, const Report& report)
 	json.value("version", RIDGEMAP_VERSION);
 	json.value("input", report.input);
 	json.value("truth", report.truth);
+	json.value("secondPass", report.secondPass);
 	json.value("scans", report.scans);
+	json.value("scansMadeOfPoints", report.fromClouds);
 	json.value("folds", report.folds);
 	json.value("rotationDegrees", report.rotation);
 	json.value("sigma", report.sigma);
+	if (report.localizes()) writeFilterSettings(json);
 	json.beginArray("maps");
 	for (const Figures& f : report.figures)
 	{
 		json.beginObject();
 		json.value("name", f.name);
 		json.value("bytesInMemory", f.memory);
+		json.value("bytesOnHeapWithCaches", f.heap);
 		json.value("bytesSerialized", f.serialized);
 		json.value("bytesCompressed", f.compressed);
-		writeTimes(json, "insertion", f.insertion);
-		writeTimes(json, "likelihood", f.likelihood);
-		writeTimes(json, "matching", f.matching);
+		json.value("bytesCompressedForLocalization", f.onRobot);
+		json.beginObject("insertion");
+		writeTimes(json, f.insertion);
+		json.end();
+		writeQueryTimes(json, "likelihood", f.likelihood);
+		writeQueryTimes(json, "matching", f.matching);
 		if (!report.truth.empty())
 		{
 			writeDistances(json, "surfaceToTruth", f.surface);
 			json.value("completeness", f.completeness);
 		}
 		if (report.folds > 0) writeDistances(json, "heldOutScans", f.heldOut);
+		if (report.localizes())
+		{
+			writeLocalization(json, "localization", f.localization);
+			writeLocalization(json, "localizationInReducedMap", f.onRobotLocalization);
+		}
 		json.end();
 	}
 	json.end();

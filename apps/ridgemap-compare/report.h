@@ -26,12 +26,14 @@ struct PictureRow
 /** All that the report shows. */
 struct Report
 {
-	std::string input, truth;  ///< names of the files; no truth: empty
-	std::size_t scans = 0, folds = 0;
-	double rotation = 0;  ///< of all poses [degrees]
-	double sigma = 0;     ///< of the ridge map [m]
-	std::vector<Figures> figures;
+	std::string input, truth, secondPass;  ///< names of the files; none: empty
+	std::size_t scans = 0, fromClouds = 0, folds = 0;
+	double rotation = 0;           ///< of all poses [degrees]
+	double sigma = 0;              ///< of the ridge map [m]
+	std::vector<Figures> figures;  ///< that of the ridge map first
 	std::vector<PictureRow> rows;
+
+	bool localizes() const { return folds > 0 || !secondPass.empty(); }
 };
 
 /** The table on the terminal. */
