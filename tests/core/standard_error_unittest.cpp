@@ -58,6 +58,7 @@ TEST(StandardError, everyVertexCarriesIt)
 	const double sigma = 0.1;
 	Options options;
 	options.sigma = sigma;
+	options.straighten = false;  // fitted runs have errors of their own
 	RidgeMap map(options);
 	// An L: its sharpened corner and its trimmed ends lie on no ridge.
 	map.insert(SceneBuilder(5, sigma, 0.33, 30).wall({0, 0}, {40, 0}).wall({40, 0}, {40, 30}).finish());
@@ -83,6 +84,7 @@ TEST(StandardError, intervalsCoverTheWall)
 		Options options;
 		options.sigma = sigma;
 		options.eps = sigma / 500;
+		options.straighten = false;
 		RidgeMap map(options);
 		map.insert(SceneBuilder(seed, sigma, 0.33, 10).wall({0, 0}, {50, 0}).finish());
 		for (const Polyline& p : map.walls())

@@ -3,8 +3,11 @@
 // points; how far is known in closed form.
 #include "bend.h"
 
+#include <ridgemap/standard_error.h>
+
 #include <cmath>
 
+#include "runs.h"
 #include "wall_path.h"
 #include "walls.h"
 
@@ -17,6 +20,7 @@ constexpr double window = 2.5;       ///< to each side of a vertex whose circle 
 constexpr double spacing = 0.25;     ///< of the points of that fit
 constexpr double largestRms = 0.12;  ///< of the points about their circle
 constexpr double leastRadius = 0.9;  ///< of a ridge that can be corrected [sigma]
+constexpr double significant = 4;    ///< a curvature below this many standard errors may be chance
 constexpr double leastMove = 0.01;   ///< smaller corrections are left out [sigma]
 
 /** Circle about the stretch of a path around s; nothing where there is none. */
@@ -77,25 +81,25 @@ FittedCurve unbent(const FittedCurve& arc, double sigma)
 	return surface;
 }
 
-std::vector<Polyline> correctBends(const std::vector<Polyline>& lines, const Options& options)
+Polyline correctBends(const Polyline& line, const Options& options)
 {
-	std::vector<Polyline> result = lines;
-	for (std::size_t i = 0; i < lines.size(); i++)
+	Polyline result = line;
+	const Path path(line);
+	const double se = densityWidth(line, options.sigma), noise = wallNoise(line, options.sigma).noise;
+	for (std::size_t k = 0; k < line.points.size(); k++)
 	{
-		const Path path(lines[i]);
-		const double se = densityWidth(lines[i], options.sigma);
-		for (std::size_t k = 0; k < lines[i].points.size(); k++)
-		{
-			const VertexInfo& v = lines[i].info[k];
-			if (v.origin != VertexOrigin::ridge || v.shape != WallShape::curve) continue;
-			const std::optional<FittedCurve> arc = circleAround(path, path.arc(k), se);
-			if (!arc || arc->curvature == 0) continue;
-			const Vec2 p{lines[i].points[k].x, lines[i].points[k].y};
-			const Vec2 q = p + bendCorrection(*arc, options.sigma) * arc->normal(p);
-			result[i].points[k] = {q.x, q.y};
-		}
-		if (lines[i].closed) result[i].points.back() = result[i].points.front();
+		const VertexInfo& v = line.info[k];
+		if (v.origin != VertexOrigin::ridge || v.shape != WallShape::curve) continue;
+		const std::optional<FittedCurve> arc = circleAround(path, path.arc(k), se);
+		if (!arc) continue;
+		const double chance = samplesPerIndependent * arc->covariance[5] *
+							  offsetVariance(std::max(1.0, double(v.occupancy)), noise, options.sigma);
+		if (arc->curvature * arc->curvature <= significant * significant * chance) continue;
+		const Vec2 p{line.points[k].x, line.points[k].y};
+		const Vec2 q = p + bendCorrection(*arc, options.sigma) * arc->normal(p);
+		result.points[k] = {q.x, q.y};
 	}
+	if (line.closed) result.points.back() = result.points.front();
 	return result;
 }
 

@@ -194,17 +194,17 @@ Polyline Chains::materialise(const Chain& chain, const TileStore& tiles, const F
 	return line;
 }
 
-std::vector<Polyline> Chains::polylines(const TileStore& tiles, const Frame& frame) const
+Lines Chains::lines(const TileStore& tiles, const Frame& frame)
 {
-	std::vector<const Chain*> order;
-	for (const auto& entry : chains_) order.push_back(&entry.second);
+	std::vector<Chain*> order;
+	for (auto& entry : chains_) order.push_back(&entry.second);
 	std::sort(order.begin(), order.end(),
 			  [](const Chain* a, const Chain* b) { return comesBefore(a->pieces[0], b->pieces[0]); });
-	std::vector<Polyline> result;
-	for (const Chain* c : order)
+	Lines result;
+	for (Chain* c : order)
 	{
-		Polyline line = materialise(*c, tiles, frame);
-		if (line.points.size() >= 2) result.push_back(std::move(line));
+		if (!c->line) c->line = std::make_shared<const Polyline>(materialise(*c, tiles, frame));
+		if (c->line->points.size() >= 2) result.push_back(c->line);
 	}
 	return result;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "frame.h"
+#include "memo.h"
 #include "tile.h"
 
 namespace ridgemap
@@ -30,8 +31,8 @@ class Chains
 	void clear();
 	bool hasCleared() const { return !cleared_.empty(); }
 
-	/** All polylines in canonical order. */
-	std::vector<Polyline> polylines(const TileStore& tiles, const Frame& frame) const;
+	/** All polylines in canonical order. One that has not changed is the same object as in the last call. */
+	Lines lines(const TileStore& tiles, const Frame& frame);
 	/** One polyline; throws std::out_of_range if there is none of this name. */
 	Polyline polyline(PolylineId id, const TileStore& tiles, const Frame& frame) const;
 
@@ -46,6 +47,7 @@ class Chains
 	{
 		std::vector<PieceRef> pieces;
 		bool closed = false;
+		LinePtr line;  ///< once it was asked for
 	};
 
 	static bool comesBefore(const PieceRef& a, const PieceRef& b);

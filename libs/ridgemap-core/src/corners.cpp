@@ -164,22 +164,13 @@ Polyline replaceCorners(const Polyline& line, const Path& path, const std::vecto
 }
 }  // namespace
 
-std::vector<Polyline> sharpenCorners(const std::vector<Polyline>& lines, const Options& options)
+Polyline sharpenCorners(const Polyline& line, const Options& options)
 {
-	std::vector<Polyline> result;
-	for (const Polyline& line : lines)
-	{
-		const Path path(line);
-		const double se = densityWidth(line, options.sigma);
-		if (path.length() < 2 * (gap + windows[3]) * se)
-		{
-			result.push_back(line);
-			continue;
-		}
-		const std::vector<Corner> corners = CornerFinder(path, se).run(line.closed);
-		result.push_back(corners.empty() ? line : replaceCorners(line, path, corners));
-	}
-	return result;
+	const Path path(line);
+	const double se = densityWidth(line, options.sigma);
+	if (path.length() < 2 * (gap + windows[3]) * se) return line;
+	const std::vector<Corner> corners = CornerFinder(path, se).run(line.closed);
+	return corners.empty() ? line : replaceCorners(line, path, corners);
 }
 
 }  // namespace ridgemap

@@ -89,27 +89,16 @@ void trimEnd(Polyline& line, bool back, double sigma)
 }
 }  // namespace
 
-std::vector<Polyline> trimEnds(const std::vector<Polyline>& lines, const Options& options)
+double visitedRange(const Polyline& line, const Options& options)
 {
-	std::vector<Vec2> guests;  // where lines were led to others
-	for (const Polyline& line : lines)
-		for (const bool back : {false, true})
-			if (!line.closed && (back ? line.info.back() : line.info.front()).origin == VertexOrigin::junction)
-				guests.push_back(back ? Vec2{line.points.back().x, line.points.back().y}
-									  : Vec2{line.points.front().x, line.points.front().y});
-	std::vector<Polyline> result = lines;
-	for (Polyline& line : result)
-		for (const bool back : {false, true})
-		{
-			if (line.closed || (back ? line.endReason : line.startReason) == StopReason::hitPolyline) continue;
-			const Point2& p = back ? line.points.back() : line.points.front();
-			const double room = guest * densityWidth(line, options.sigma);
-			const bool visited = std::any_of(guests.begin(), guests.end(),
-											 [&](Vec2 g) {
-												 return norm(g - Vec2{p.x, p.y}) < room;
-											 });
-			if (!visited) trimEnd(line, back, options.sigma);
-		}
+	return guest * densityWidth(line, options.sigma);
+}
+
+Polyline trimEnds(const Polyline& line, bool front, bool back, const Options& options)
+{
+	Polyline result = line;
+	if (front) trimEnd(result, false, options.sigma);
+	if (back) trimEnd(result, true, options.sigma);
 	return result;
 }
 

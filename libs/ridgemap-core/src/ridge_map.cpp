@@ -10,19 +10,20 @@
 #include "field.h"
 #include "lattice.h"
 #include "tile_update.h"
-#include "walls.h"
+#include "wall_maker.h"
 
 namespace ridgemap
 {
 struct RidgeMap::Impl
 {
-	explicit Impl(const Options& o) : options((o.validate(), o)), lattice(o) {}
+	explicit Impl(const Options& o) : options((o.validate(), o)), lattice(o), wallMaker(o) {}
 	Impl(const Impl& o)
 		: options(o.options),
 		  threads(o.threads),
 		  version(o.version),
 		  lattice(o.lattice),
 		  chains(o.chains),
+		  wallMaker(o.wallMaker),
 		  untold(o.untold),
 		  ridges(o.ridges),
 		  walls(o.walls),
@@ -72,6 +73,7 @@ struct RidgeMap::Impl
 	std::uint64_t version = 0;
 	Lattice lattice;
 	Chains chains;
+	WallMaker wallMaker;
 	UpdateResult untold;  ///< of updates that queries made
 	std::vector<Polyline> ridges, walls;
 	bool ridgesMade = false, wallsMade = false;
@@ -182,7 +184,8 @@ const std::vector<Polyline>& RidgeMap::ridges() const
 	m.updateForQuery();
 	if (!m.ridgesMade)
 	{
-		m.ridges = m.chains.polylines(m.lattice.tiles(), m.lattice.frame());
+		m.ridges.clear();
+		for (const LinePtr& line : m.chains.lines(m.lattice.tiles(), m.lattice.frame())) m.ridges.push_back(*line);
 		m.ridgesMade = true;
 	}
 	return m.ridges;
@@ -197,12 +200,12 @@ Polyline RidgeMap::ridge(PolylineId id) const
 
 const std::vector<Polyline>& RidgeMap::walls() const
 {
-	const std::vector<Polyline>& source = ridges();
 	Impl& m = *impl_;
 	const std::lock_guard<std::mutex> lock(m.mutex);
+	m.updateForQuery();
 	if (!m.wallsMade)
 	{
-		m.walls = makeWalls(source, m.options);
+		m.walls = m.wallMaker.make(m.chains.lines(m.lattice.tiles(), m.lattice.frame()));
 		m.wallsMade = true;
 	}
 	return m.walls;

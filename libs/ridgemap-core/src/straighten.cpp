@@ -273,8 +273,9 @@ Polyline rotated(const Polyline& line, std::size_t k)
 	r.info.push_back(r.info.front());
 	return r;
 }
+}  // namespace
 
-Polyline straightened(const Polyline& line, const Options& options)
+Polyline straightenRuns(const Polyline& line, const Options& options)
 {
 	if (line.closed)
 	{
@@ -287,20 +288,6 @@ Polyline straightened(const Polyline& line, const Options& options)
 		return better > 0 ? Straightener(rotated(line, better), options).run() : result;
 	}
 	return Straightener(line, options).run();
-}
-}  // namespace
-
-std::vector<Polyline> straightenRuns(const std::vector<Polyline>& lines, const Options& options)
-{
-	std::vector<Polyline> result;
-	for (const Polyline& line : lines)
-	{
-		result.push_back(straightened(line, options));
-		const WallNoise noise = wallNoise(line, options.sigma);
-		result.back().noise = noise.noise;
-		result.back().noiseSupported = noise.supported;
-	}
-	return result;
 }
 
 }  // namespace ridgemap

@@ -11,8 +11,8 @@ namespace
 {
 constexpr std::size_t classes = 5;
 /** From small errors to large; told apart without red and green, too. The last one: no error is known. */
-constexpr Color colours[classes + 1] = {{31, 78, 156}, {40, 160, 190}, {120, 190, 90},
-										{240, 160, 30}, {178, 24, 43}, {150, 154, 162}};
+constexpr Color colours[classes + 1] = {{31, 78, 156},  {40, 160, 190}, {120, 190, 90},
+										{240, 160, 30}, {178, 24, 43},  {150, 154, 162}};
 constexpr Color text{24, 28, 44};
 
 float errorOfSegment(const Polyline& line, std::size_t second)

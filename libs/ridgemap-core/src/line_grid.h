@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "memo.h"
+#include "vec2.h"
+
+namespace ridgemap
+{
+/** Which lines pass near a place. Follows a changing set of lines at a cost that depends on the change. */
+class LineGrid
+{
+ public:
+	/** @param cell edge of its cells [m], about the distances that will be asked for */
+	explicit LineGrid(double cell) : cell_(cell) {}
+
+	/** From now on the lines are these. */
+	void follow(const Lines& lines);
+
+	/** Numbers, in ascending order, of the lines that may pass within a distance of a place; all that do are there. */
+	std::vector<int> near(const Point2& p, double distance) const;
+
+ private:
+	struct Cells
+	{
+		LinePtr line;
+		std::vector<std::uint64_t> keys;
+		int number = 0;
+		bool present = false;
+	};
+	std::uint64_t key(double x, double y) const;
+	std::vector<std::uint64_t> cellsOf(const Polyline& line) const;
+
+	double cell_;
+	std::unordered_map<const Polyline*, Cells> lines_;
+	std::unordered_map<std::uint64_t, std::vector<const Polyline*>> cells_;
+};
+
+}  // namespace ridgemap
