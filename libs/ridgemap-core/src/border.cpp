@@ -89,11 +89,12 @@ class SegmentScan
 		if ((a.f < 0) != (b.f < 0))
 			addRoot(a, b, s0, crossings);
 		else if (depth < maxSplits && a.f * a.slope < 0 && b.f * b.slope > 0)
-			doubleRoot(a, b, s0, crossings);
+			doubleRoot(a, b, depth, s0, crossings);
 	}
 
 	/** f bends towards zero between a and b: look at its extremum. */
-	void doubleRoot(const BorderSample& a, const BorderSample& b, double s0, std::vector<Crossing>& crossings)
+	void doubleRoot(const BorderSample& a, const BorderSample& b, int depth, double s0,
+					std::vector<Crossing>& crossings)
 	{
 		const double h = b.s - a.s;
 		const double t = a.slope / (a.slope - b.slope);
@@ -108,8 +109,13 @@ class SegmentScan
 			interval(a, middle, maxSplits, s0, crossings);
 			interval(middle, b, maxSplits, s0, crossings);
 		}
-		else if (isRidgeLike(middle.r, options_) && std::abs(middle.f) < nearMiss * norm(middle.r.df))
-			quality_ = 0;
+		else if (std::abs(middle.f) < nearMiss * norm(middle.r.df))
+		{
+			if (isRidgeLike(middle.r, options_)) quality_ = 0;
+			// The extremum may lie beside the guess, and the roots between.
+			interval(a, middle, depth + 1, s0, crossings);
+			interval(middle, b, depth + 1, s0, crossings);
+		}
 	}
 
 	/** Safeguarded Newton method between samples of opposite sign. */
@@ -129,25 +135,8 @@ class SegmentScan
 		if (!isRidgeLike(r, options_)) return;
 		const Vec2 tangent = r.tangent(r.v2);
 		if (r.occupancy >= 0.9 * options_.lTol) quality_ = std::min(quality_, std::abs(cross(tangent, direction_)));
-		if (r.occupancy >= options_.lTol && isSupported(r.p, tangent)) crossings.push_back({r.p, tangent, s0 + root.s});
-	}
-
-	/** Measurements lie on both sides of the border along the ridge, so that it does not end right here. */
-	bool isSupported(Vec2 p, Vec2 tangent) const
-	{
-		const double extent = CellGrid(options_).halfExtent();
-		bool ahead = false, behind = false;
-		field_.forEachCellNear(p, options_.dTol + supportWidth,
-							   [&](Vec2 q, std::uint32_t)
-							   {
-								   const Vec2 d = q - p;
-								   const double along = dot(d, tangent), across = cross(tangent, d);
-								   if (std::abs(across) > supportWidth || std::abs(along) > options_.dTol + extent)
-									   return;
-								   ahead = ahead || along + extent >= 0;
-								   behind = behind || along - extent <= 0;
-							   });
-		return ahead && behind;
+		if (r.occupancy >= options_.lTol && isSupported(field_, options_, r.p, tangent))
+			crossings.push_back({r.p, tangent, s0 + root.s});
 	}
 
 	const TileField& field_;
@@ -173,6 +162,22 @@ double scanPath(const TileField& field, const Options& options, const std::vecto
 	return quality;
 }
 }  // namespace
+
+bool isSupported(const TileField& field, const Options& options, Vec2 p, Vec2 tangent)
+{
+	const double extent = CellGrid(options).halfExtent();
+	bool ahead = false, behind = false;
+	field.forEachCellNear(p, options.dTol + supportWidth,
+						  [&](Vec2 q, std::uint32_t)
+						  {
+							  const Vec2 d = q - p;
+							  const double along = dot(d, tangent), across = cross(tangent, d);
+							  if (std::abs(across) > supportWidth || std::abs(along) > options.dTol + extent) return;
+							  ahead = ahead || along + extent >= 0;
+							  behind = behind || along - extent <= 0;
+						  });
+	return ahead && behind;
+}
 
 Vec2 placeCorner(const TileField& field, const Options& options)
 {

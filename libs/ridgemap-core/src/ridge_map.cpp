@@ -9,6 +9,7 @@
 #include "chains.h"
 #include "field.h"
 #include "lattice.h"
+#include "stopwatch.h"
 #include "tile_update.h"
 #include "wall_maker.h"
 
@@ -50,7 +51,10 @@ struct RidgeMap::Impl
 	{
 		UpdateResult result;
 		if (!lattice.hasChanged() && !chains.hasCleared()) return result;
-		chains.update(lattice.tiles(), updateTiles(lattice, options, threadCount, result), result);
+		const std::vector<ReplacedTile> replaced = updateTiles(lattice, options, threadCount, result);
+		const Stopwatch watch;
+		chains.update(lattice.tiles(), replaced, result);
+		result.seconds.chains = watch.seconds();
 		ridgesMade = wallsMade = false;
 		return result;
 	}
@@ -80,6 +84,16 @@ struct RidgeMap::Impl
 	std::mutex mutex;  ///< guards everything that const queries make on demand
 };
 
+StepTimes& StepTimes::operator+=(const StepTimes& o)
+{
+	kernels += o.kernels;
+	borders += o.borders;
+	crossings += o.crossings;
+	seeds += o.seeds;
+	chains += o.chains;
+	return *this;
+}
+
 UpdateResult& UpdateResult::operator+=(const UpdateResult& o)
 {
 	regions.insert(regions.end(), o.regions.begin(), o.regions.end());
@@ -96,6 +110,8 @@ UpdateResult& UpdateResult::operator+=(const UpdateResult& o)
 	evaluations += o.evaluations;
 	kernels += o.kernels;
 	seeds += o.seeds;
+	traces += o.traces;
+	seconds += o.seconds;
 	return *this;
 }
 

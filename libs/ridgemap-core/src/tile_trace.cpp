@@ -6,6 +6,7 @@
 
 #include "exp_series.h"
 #include "seeds.h"
+#include "stopwatch.h"
 #include "tracer.h"
 
 namespace ridgemap
@@ -53,8 +54,11 @@ class TileTracer
 
 	TileTrace run()
 	{
+		const Stopwatch watch;
 		for (TileBorder::Port& port : border_.ports()) fromCrossing(port);
+		result_.seconds.crossings = watch.seconds();
 		fromMeasurements();
+		result_.seconds.seeds = watch.seconds() - result_.seconds.crossings;
 		return std::move(result_);
 	}
 
@@ -65,6 +69,7 @@ class TileTracer
 		port.consumed = true;
 		const RidgePoint start = tracer_.evaluate(port.crossing.p);
 		if (tracer_.onPolyline(start.p, port.inward)) return;
+		result_.traces++;
 		RidgeTracer::Walk walk = tracer_.walk(start, port.inward);
 		Piece piece;
 		piece.start = {StopReason::crossing, port.side, port.index};
@@ -74,7 +79,10 @@ class TileTracer
 		if (piece.nodes.size() >= 2)
 			add(std::move(piece));
 		else
+		{
 			result_.stubs.push_back({piece.end.reason, port.side, port.index});
+			port.consumed = false;  // another ridge may end here
+		}
 	}
 
 	void fromMeasurements()
@@ -107,6 +115,7 @@ class TileTracer
 		const bool here = seed && border_.contains(seed->p);
 		if (!here && !covered(last, knownDistance)) barren_.push_back(last);
 		if (!here || covered(seed->p, knownDistance)) return;
+		result_.traces++;
 		const Vec2 tangent = seed->tangent(seed->v2);
 		RidgeTracer::Walk forward = tracer_.walk(*seed, tangent);
 		finish(forward);
@@ -136,6 +145,10 @@ class TileTracer
 		{
 			for (TileBorder::Port& port : border_.ports())
 				if (port.side == walk.end.side && port.index == walk.end.crossing) port.consumed = true;
+			const auto isHere = [&](const PieceEnd& s)
+			{ return s.side == walk.end.side && s.crossing == walk.end.crossing; };
+			result_.stubs.erase(std::remove_if(result_.stubs.begin(), result_.stubs.end(), isHere),
+								result_.stubs.end());
 		}
 		else if (!walk.closed && walk.end.reason != StopReason::hitPolyline)
 			tracer_.trimToMeasurements(walk);

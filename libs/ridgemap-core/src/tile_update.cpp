@@ -8,6 +8,7 @@
 
 #include "border.h"
 #include "parallel.h"
+#include "stopwatch.h"
 #include "tracer.h"
 
 namespace ridgemap
@@ -23,6 +24,7 @@ struct Work
 	std::unique_ptr<TileField> field;
 	std::unique_ptr<TileTrace> trace;
 	bool cornerMoved = false, bordersChanged = false;
+	double borderSeconds = 0;
 };
 
 /** Tiles whose field can reach one of the blocks, in canonical order. */
@@ -104,10 +106,12 @@ class TileUpdate
 	void placeCorners(Work& w)
 	{
 		if (!w.tile->cornerReach.intersects(w.changed)) return;
+		const Stopwatch watch;
 		const Vec2 corner = placeCorner(field(w), options_);
 		w.tile->cornerReach = w.field->takeReach();
 		w.cornerMoved = !(corner == w.tile->corner);
 		w.tile->corner = corner;
+		w.borderSeconds += watch.seconds();
 	}
 
 	void layBorders(Work& w)
@@ -115,6 +119,7 @@ class TileUpdate
 		const TileKey right{w.key.x + 1, w.key.y}, above{w.key.x, w.key.y + 1};
 		const bool moved = w.cornerMoved || has(right, &Work::cornerMoved) || has(above, &Work::cornerMoved);
 		if (!moved && !w.tile->borderReach.intersects(w.changed)) return;
+		const Stopwatch watch;
 		const double edge = tiles_.tileEdge();
 		Edge bottom = layEdge(field(w), w.tile->corner, Vec2{edge, 0} + cornerOf(right), options_);
 		Edge left = layEdge(field(w), w.tile->corner, Vec2{0, edge} + cornerOf(above), options_);
@@ -122,6 +127,7 @@ class TileUpdate
 		w.bordersChanged = !(bottom == w.tile->bottom && left == w.tile->left);
 		w.tile->bottom = std::move(bottom);
 		w.tile->left = std::move(left);
+		w.borderSeconds += watch.seconds();
 	}
 
 	void trace(Work& w)
@@ -166,6 +172,8 @@ void replacePieces(Work& w, UpdateResult& result, std::vector<ReplacedTile>& rep
 	for (std::size_t r = 0; r < w.trace->stops.size(); r++) result.stops[r] += w.trace->stops[r];
 	result.tiles++;
 	result.seeds += w.trace->seeds;
+	result.traces += w.trace->traces;
+	result.seconds += w.trace->seconds;
 	tile.stubs = std::move(w.trace->stubs);
 	if (tile.pieces == w.trace->pieces) return;
 	replaced.push_back({w.key, tile.chainOfPiece});
@@ -177,7 +185,10 @@ void replacePieces(Work& w, UpdateResult& result, std::vector<ReplacedTile>& rep
 std::vector<ReplacedTile> updateTiles(Lattice& lattice, const Options& options, unsigned threads, UpdateResult& result)
 {
 	TileStore& tiles = lattice.tiles();
-	std::vector<Work> works = dependentTiles(lattice.refresh(), tiles, options);
+	const Stopwatch watch;
+	const std::vector<BlockIndex> changed = lattice.refresh();
+	result.seconds.kernels = watch.seconds();
+	std::vector<Work> works = dependentTiles(changed, tiles, options);
 	TileUpdate update(tiles, options, works);
 	parallelFor(works.size(), threads, [&](std::size_t i) { update.placeCorners(works[i]); });
 	parallelFor(works.size(), threads, [&](std::size_t i) { update.layBorders(works[i]); });
@@ -190,6 +201,7 @@ std::vector<ReplacedTile> updateTiles(Lattice& lattice, const Options& options, 
 		{
 			result.evaluations += w.field->work().evaluations;
 			result.kernels += w.field->work().kernels;
+			result.seconds.borders += w.borderSeconds;
 		}
 		if (w.trace) replacePieces(w, result, replaced);
 	}

@@ -71,8 +71,9 @@ RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) con
 			reason = step.exits ? StopReason::unregisteredExit : step.next.reason;
 			if (reason == StopReason::belowThreshold) ahead = h;
 			h *= 0.5;
-			if (h < endResolution) break;
-			continue;
+			if (h >= endResolution) continue;
+			if (step.exits) reason = exitReason(state, step.exit);
+			break;
 		}
 		const RidgePoint& next = step.next.point;
 		const Vec2 tangent = next.tangent(next.p - state.point.p);
@@ -116,13 +117,18 @@ RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) con
 		state.point = next;
 		state.tangent = tangent;
 		state.walked += length;
+		reason = StopReason::workLimit;
 		if (!measurementNear(next, tangent))
 		{
 			reason = StopReason::noMeasurement;
 			break;
 		}
 		ahead -= length;
-		if (ahead < endResolution) break;
+		if (ahead < endResolution)
+		{
+			reason = StopReason::belowThreshold;
+			break;
+		}
 		h = std::min({nextStep(h, step.next, verdict), options_.maxStep, std::max(endResolution, 0.6 * ahead)});
 	}
 	walk.end.reason = reason;
@@ -157,12 +163,26 @@ void RidgeTracer::finishAtBorder(const State& state, double h, Vec2 outside, Pro
 	proposal.exits = true;
 	const auto exit = border_.exit(state.point.p, outside);
 	if (!exit) return;
+	proposal.exit = exit->p;
 	TileBorder::Port* port = border_.match(*exit, state.tangent, 0.3 + 0.3 * h);
 	if (!port) return;
 	proposal.exits = false;
 	proposal.port = port;
 	proposal.next.point = evaluate(port->crossing.p);
 	proposal.next.converged = true;
+}
+
+/** Why a ridge that leaves the tile at p has no crossing there. */
+StopReason RidgeTracer::exitReason(const State& state, Vec2 p) const
+{
+	for (const double beyond : {0.0, endResolution})  // it may also end right behind
+	{
+		const Relaxed there =
+			relax(p + beyond * state.tangent, leftNormal(state.tangent), state.point.v1, shortSegment);
+		if (!there.converged) return there.reason;
+		if (!isSupported(field_, options_, there.point.p, state.tangent)) return StopReason::noMeasurement;
+	}
+	return StopReason::unregisteredExit;
 }
 
 RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double reach) const
@@ -175,6 +195,8 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 		if (!field_.inDomain(p)) return result;
 		const RidgePoint r = evaluate(p);
 		const double orientation = dot(r.v1, normal);
+		// Only a way through places that determine a ridge can be expected to lead to one.
+		if (!isRidgeLike(r, options_) || std::abs(dot(r.v1, v1)) <= 0.5) result.reason = StopReason::notARidge;
 		if (r.occupancy < 0.3 * options_.lTol)
 		{
 			result.reason = StopReason::belowThreshold;
@@ -185,10 +207,11 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 			result.reason = StopReason::notARidge;
 			return result;
 		}
-		// f and its derivative along the normal; where the exact derivative points the wrong way, lambda1 leads uphill.
+		// f and its derivative along the normal; where the exact derivative points the wrong way or leads far away,
+		// lambda1 leads uphill.
 		double slope = dot(r.df, normal);
-		const double uphill = r.lambda1 * orientation;
-		if (slope / uphill < 0.05) slope = uphill;
+		const double uphill = r.lambda1 * orientation, share = slope / uphill;
+		if (share < 0.05 && !(share > 0 && std::abs(r.f) < 0.05 * std::abs(slope))) slope = uphill;
 		const double step = std::max(-0.5, std::min(0.5, -r.f / slope));
 		if (std::abs(r.f) < tolerance_ * std::min(norm(r.df), std::abs(slope)))
 		{

@@ -2,6 +2,8 @@
 // Construction of one ridge inside one tile (paper section V).
 #pragma once
 
+#include <ridgemap/ridge_map.h>
+
 #include <array>
 #include <vector>
 
@@ -18,6 +20,8 @@ struct TileTrace
 	std::vector<PieceEnd> stubs;  ///< crossings right behind which the ridge ends
 	std::array<std::size_t, std::size_t(StopReason::count_)> stops{};
 	std::size_t seeds = 0;
+	std::size_t traces = 0;
+	StepTimes seconds;
 };
 
 /** Traces all ridges of a tile from the crossings of its border and from the measurements that no ridge covers. The
@@ -64,6 +68,7 @@ class RidgeTracer
 		Relaxed next;
 		TileBorder::Port* port = nullptr;  ///< the crossing that the step ends at
 		bool exits = false;                ///< the step leaves the tile where there is no crossing
+		Vec2 exit;                         ///< where it does
 	};
 	struct Verdict
 	{
@@ -75,6 +80,7 @@ class RidgeTracer
 	RidgeNode node(const RidgePoint& r) const;
 	Proposal propose(const State& state, double h) const;
 	void finishAtBorder(const State& state, double h, Vec2 outside, Proposal& proposal) const;
+	StopReason exitReason(const State& state, Vec2 p) const;
 	Verdict verify(const RidgePoint& a, Vec2 tangentA, const RidgePoint& b, Vec2 tangentB) const;
 	void insertMiddleNode(const RidgePoint& a, const RidgePoint& b, std::vector<RidgeNode>& nodes) const;
 	double nextStep(double h, const Relaxed& relaxed, const Verdict& verdict) const;

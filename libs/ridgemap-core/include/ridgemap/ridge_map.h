@@ -33,6 +33,18 @@ struct UpdateRegion
 /** Stable name of a polyline within one map object, as long as it does not change. Never used twice. */
 using PolylineId = std::uint64_t;
 
+/** Times of the steps of an update [s], by the clock on the wall, summed over the threads. */
+struct StepTimes
+{
+	double kernels = 0;    ///< kernels made from the sums of the cells that changed
+	double borders = 0;    ///< corners of tiles and the crossings of ridges with their borders: initial guesses
+	double crossings = 0;  ///< ridges traced from crossings
+	double seeds = 0;      ///< initial guesses from measurements, and ridges traced from them
+	double chains = 0;     ///< pieces joined to polylines
+
+	StepTimes& operator+=(const StepTimes& o);
+};
+
 /** What RidgeMap::update() did. */
 struct UpdateResult
 {
@@ -44,6 +56,8 @@ struct UpdateResult
 	std::size_t evaluations = 0;                                       ///< evaluations of the continuous occupancy
 	std::size_t kernels = 0;  ///< kernels summed in these evaluations (lattice cells, not measurements)
 	std::size_t seeds = 0;    ///< measurements from which a ridge was looked for
+	std::size_t traces = 0;   ///< ridges that were followed, from crossings one way and from seeds both ways
+	StepTimes seconds;        ///< by step
 
 	/** Adds what happened next. Polylines that appeared here and vanished there are in neither list of the sum. */
 	UpdateResult& operator+=(const UpdateResult& o);
