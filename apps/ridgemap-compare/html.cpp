@@ -30,7 +30,7 @@ img,svg{width:100%;height:auto;display:block;border:1px solid #d9dee5}
 @media print{@page{margin:12mm}body{max-width:none;padding:0;font-size:10px}.wide{overflow:visible}
 table{font-size:8px}th,td{padding:.1rem .25rem}tr,li{break-inside:avoid}.group{break-after:avoid}
 .best{-webkit-print-color-adjust:exact;print-color-adjust:exact}th:first-child{position:static}
-p,li{max-width:none}.row{grid-template-columns:repeat(4,1fr);gap:.4rem}h2{margin-top:1rem}}
+section{break-inside:avoid}figcaption{font-size:8px}h1{font-size:20px}h2{font-size:14px}p,li{max-width:none}.row{grid-template-columns:repeat(4,1fr);gap:.4rem}h2{margin-top:1rem}}
 </style>
 )";
 
@@ -93,7 +93,8 @@ void writeShortTable(std::ostream& out, const Report& r)
 
 void writeFiguresTable(std::ostream& out, const Report& r)
 {
-	out << "<h2>All figures</h2><p>Less is better everywhere but in &ldquo;complete&rdquo;. What the lines mean is "
+	out << "<section><h2>All figures</h2><p>Less is better everywhere but in &ldquo;complete&rdquo;. What the lines "
+		   "mean is "
 		   "said "
 		   "at the end.</p>\n";
 	writeTableHead(out, r.figures);
@@ -106,7 +107,7 @@ void writeFiguresTable(std::ostream& out, const Report& r)
 		group = line.group;
 		writeLine(out, line, line.heading, r.figures);
 	}
-	out << "</tbody></table></div>\n";
+	out << "</tbody></table></div></section>\n";
 }
 
 /** Bars of 5 mm, the last one (in another colour) all that is beyond. */
@@ -132,11 +133,11 @@ void writeHistogram(std::ostream& out, const std::string& name, const Distances&
 
 void writeHistograms(std::ostream& out, const Report& r, const char* title, const char* what, Distances Figures::*which)
 {
-	out << "<h2>" << title << "</h2><p>" << what
+	out << "<section><h2>" << title << "</h2><p>" << what
 		<< " Bars are 5 mm wide; the last one is all beyond 10 cm. Scales differ: each shows its highest bar in "
 		   "full.</p><div class=\"row\">";
 	for (const Figures& f : r.figures) writeHistogram(out, f.name, f.*which);
-	out << "</div>\n";
+	out << "</div></section>\n";
 }
 }  // namespace
 
@@ -156,11 +157,11 @@ void writeHtml(std::ostream& out, const Report& r)
 	out << "</ul>\n";
 	for (const PictureRow& row : r.rows)
 	{
-		out << "<h2>" << escaped(row.title) << "</h2><div class=\"row\">\n";
+		out << "<section><h2>" << escaped(row.title) << "</h2><div class=\"row\">\n";
 		for (const Picture& p : row.pictures)
 			out << "<figure><img alt=\"" << escaped(p.caption) << "\" src=\"data:image/png;base64," << base64(p.png)
 				<< "\"><figcaption>" << escaped(p.caption) << "</figcaption></figure>\n";
-		out << "</div>\n";
+		out << "</div></section>\n";
 	}
 	writeFiguresTable(out, r);
 	if (!r.truth.empty())

@@ -25,6 +25,11 @@ constexpr double written = 1e-6, tolerance = 0.01;
 
 using Points = std::vector<Point2>;
 
+bool same(const Point2& a, const Point2& b)
+{
+	return std::abs(a.x - b.x) <= written && std::abs(a.y - b.y) <= written;
+}
+
 class Export : public ::testing::Test
 {
  protected:
@@ -36,13 +41,23 @@ class Export : public ::testing::Test
 	{
 		dir = new TempDir;
 		writeSimplemap(*dir / "drive.simplemap", simulateDrive());
-		ASSERT_EQ(runBuild({*dir / "drive.simplemap", "-o", *dir / "map", "--formats", "ridgemap", "-q"}).code, 0);
+		// Something round in the next room, seen from all sides: a closed line.
+		std::string ring;
+		for (int i = 0; i < 400; i++)
+			ring += std::to_string(4 + 0.5 * std::cos(i * M_PI / 200)) + "," +
+					std::to_string(10 + 0.5 * std::sin(i * M_PI / 200)) + "\n";
+		writeFile(*dir / "ring.csv", ring);
+		ASSERT_EQ(
+			runBuild({*dir / "drive.simplemap", *dir / "ring.csv", "-o", *dir / "map", "--formats", "ridgemap", "-q"})
+				.code,
+			0);
 		for (const Polyline& line : loadRidgeMap(*dir / "map.ridgemap").simplified(tolerance - written))
 		{
 			expected.push_back(line.points);
 			closed += line.closed ? 1 : 0;
 		}
-		ASSERT_FALSE(expected.empty());
+		ASSERT_GT(expected.size(), closed);
+		ASSERT_GT(closed, 0u);
 	}
 	static void TearDownTestSuite()
 	{
@@ -60,8 +75,11 @@ class Export : public ::testing::Test
 		return path;
 	}
 
+	/** The points, and how many lines end where they begin. */
 	static void expectSame(const std::vector<Points>& lines)
 	{
+		const auto isRing = [](const Points& p) { return p.size() > 3 && same(p.front(), p.back()); };
+		EXPECT_EQ(std::size_t(std::count_if(lines.begin(), lines.end(), isRing)), closed);
 		ASSERT_EQ(lines.size(), expected.size());
 		for (std::size_t i = 0; i < lines.size(); i++)
 		{
@@ -115,6 +133,11 @@ TEST_F(Export, dxfByGdal)
 	EXPECT_NE(readFile(path).find("$INSUNITS\n70\n6\n"), std::string::npos) << "not in metres";
 	const RunResult layer = run("/usr/bin/ogrinfo", {"-ro", "-al", "-where", "Layer='walls'", path});
 	EXPECT_NE(layer.out.find("Feature Count: " + std::to_string(expected.size())), std::string::npos) << layer.out;
+	// The flag of POLYLINE, behind its group code.
+	std::size_t flags = 0;
+	const std::string text = readFile(path), closedPolyline = "POLYLINE\n8\nwalls\n66\n1\n70\n1\n";
+	for (auto at = text.find(closedPolyline); at != std::string::npos; at = text.find(closedPolyline, at + 1)) flags++;
+	EXPECT_EQ(flags, closed);
 }
 
 TEST_F(Export, geoJsonByGdal)
@@ -160,6 +183,7 @@ TEST_F(Export, csv)
 	std::getline(in, line);
 	EXPECT_EQ(line, "layer,polyline,closed,x,y");
 	std::vector<Points> lines;
+	std::size_t marked = 0;
 	while (std::getline(in, line))
 	{
 		std::string layer, index, isClosed, rest;
@@ -169,8 +193,10 @@ TEST_F(Export, csv)
 		EXPECT_EQ(layer, "walls");
 		lines.resize(std::stoul(index) + 1);
 		lines.back().push_back(pairsOf(rest).at(0));
+		if (lines.back().size() == 1 && isClosed == "1") marked++;
 	}
 	expectSame(lines);
+	EXPECT_EQ(marked, closed);
 }
 
 TEST_F(Export, sceneByMrpt)
@@ -179,9 +205,18 @@ TEST_F(Export, sceneByMrpt)
 	ASSERT_TRUE(scene.loadFromFile(exported("map.3Dscene")));
 	const auto lines = std::dynamic_pointer_cast<mrpt::opengl::CSetOfLines>(scene.getByName("walls"));
 	ASSERT_TRUE(lines);
-	std::size_t segments = 0;
-	for (const Points& p : expected) segments += p.size() - 1;
-	EXPECT_EQ(lines->size(), segments);
+	std::size_t segment = 0;
+	for (const Points& p : expected)
+		for (std::size_t i = 1; i < p.size(); i++, segment++)
+		{
+			ASSERT_LT(segment, lines->size());
+			double x0 = 0, y0 = 0, z0 = 0, x1 = 0, y1 = 0, z1 = 0;
+			lines->getLineByIndex(segment, x0, y0, z0, x1, y1, z1);
+			// The scene holds single precision.
+			for (const double off : {x0 - p[i - 1].x, y0 - p[i - 1].y, z0, x1 - p[i].x, y1 - p[i].y, z1})
+				EXPECT_NEAR(off, 0, 2 * written);
+		}
+	EXPECT_EQ(lines->size(), segment);
 }
 
 TEST_F(Export, gridByMrpt)
@@ -223,6 +258,32 @@ TEST_F(Export, rosMapByMrpt)
 		}
 	EXPECT_GT(occupied, 300u);
 	EXPECT_EQ(differing, 0u);
+}
+
+TEST_F(Export, rosMapByTheProgramOfMrpt)
+{
+	const std::string program = "/usr/bin/ros-map-yaml2mrpt";
+	if (!std::filesystem::exists(program)) GTEST_SKIP() << "mrpt-apps is not installed";
+	const std::string path = exported("ros.yaml", {"--resolution", "0.02"});
+	const RunResult r = run(program, {"-w", "-i", path});
+	ASSERT_EQ(r.code, 0) << r.out << r.err;
+	mrpt::maps::COccupancyGridMap2D grid;
+	{
+		mrpt::io::CFileGZInputStream file(*dir / "ros.gridmap.gz");
+		mrpt::serialization::archiveFrom(file) >> grid;
+	}
+	EXPECT_NEAR(grid.getResolution(), 0.02, 1e-6);
+	for (const Points& line : expected)
+		for (const Point2& p : line)
+		{
+			// On the border of two cells, single precision may take the one beside.
+			float least = 1;
+			for (const double dx : {-0.001, 0.001})
+				for (const double dy : {-0.001, 0.001})
+					least = std::min(least, grid.getPos(float(p.x + dx), float(p.y + dy)));
+			EXPECT_LT(least, 0.3f) << p.x << ' ' << p.y;
+		}
+	EXPECT_NEAR(grid.getPos(2.5f, 2.0f), 0.5f, 0.1f) << "nobody said that this is free";
 }
 
 TEST_F(Export, frozenMap)
