@@ -8,6 +8,7 @@
 
 #include "bend.h"
 #include "run_fit.h"
+#include "runs.h"
 #include "scenes.h"
 #include "walls.h"
 
@@ -275,4 +276,54 @@ TEST(CorrectBends, RingsComeOutWithTheirRadius)
 			EXPECT_NEAR(corrected, radius, 0.04) << radius << " straighten " << straighten;
 			EXPECT_LT(plain, radius - 0.4 / radius) << radius;
 		}
+}
+
+TEST(Straighten, ErrorsThatNoiseDoesNotExplainAreSeen)
+{
+	// Waves of 8 samples about a line, an arc and a step between two lines: a parabola takes none of them up, so the
+	// mean square of what is left is half the square of the amplitude. The step is in few windows only.
+	const double amplitude = 0.03, declared = 0.004;
+	for (const double curvature : {0.0, 0.01})
+		for (const double step : {0.0, 2.0})
+		{
+			std::vector<WallSample> samples;
+			for (int i = 0; i < 2000; i++)
+			{
+				const double x = 0.25 * i, y = 0.5 * curvature * (x - 250) * (x - 250) * 0.1 + (i > 990 ? step : 0);
+				samples.push_back({{x, y + amplitude * std::sin(2 * M_PI * i / 8.0)}, x, declared * declared});
+			}
+			EXPECT_NEAR(excessError(samples), amplitude / declared / std::sqrt(2 * 0.3), 0.4)
+				<< curvature << " " << step;
+			for (WallSample& s : samples) s.variance = amplitude * amplitude;
+			EXPECT_LT(excessError(samples), 1.3);
+		}
+	EXPECT_EQ(excessError({}), 1);
+	// Walls whose only error is noise: none is seen.
+	for (int seed = 1; seed <= 5; seed++)
+	{
+		const RidgeMap map = mapOf(SceneBuilder(std::uint64_t(seed), 1, noise, 60).wall({0, 0}, {200, 0}).finish());
+		ASSERT_EQ(map.walls().size(), 1u);
+		EXPECT_LT(double(map.walls()[0].info[0].standardError), 0.05);
+	}
+}
+
+TEST(Straighten, AWallSeenFromWrongPosesIsStillOneSegment)
+{
+	// Sixty scans, each shifted across by 0.15 sigma (one standard deviation) and seeing a stretch of 25 sigma: the
+	// ridge wanders by far more than the noise of 400 measurements a sigma explains.
+	Random random(17);
+	std::vector<Measurement> m;
+	for (int scan = 0; scan < 60; scan++)
+	{
+		const double shift = 0.15 * random.normal(), from = random.uniform(-25, 100);
+		for (int i = 0; i < 2500; i++)
+		{
+			const double x = from + 25 * random.uniform();
+			if (x > 0 && x < 100) m.push_back({x + noise * random.normal(), shift + noise * random.normal()});
+		}
+	}
+	const RidgeMap map = mapOf(m);
+	ASSERT_EQ(map.walls().size(), 1u);
+	EXPECT_LE(map.walls()[0].points.size(), 12u);
+	EXPECT_LT(rms(map.walls(), [](double, double y) { return y; }), 0.1);
 }

@@ -78,7 +78,10 @@ TEST(WallMaker, TouchesOnlyWhatChanged)
 	for (int i = 0; i < 30; i++)
 	{
 		const double x = 60 * i;
-		scene.wall({x, 0}, {x + 40, 0}).wall({x + 40, 0}, {x + 40, 30}).wall({x + 40, 30}, {x, 30}).wall({x, 30}, {x, 0});
+		scene.wall({x, 0}, {x + 40, 0})
+			.wall({x + 40, 0}, {x + 40, 30})
+			.wall({x + 40, 30}, {x, 30})
+			.wall({x, 30}, {x, 0});
 	}
 	Options o;
 	o.sigma = 1;

@@ -54,7 +54,8 @@ Lines EndJoiner::join(const Lines& lines)
 				continue;
 			}
 			for (const bool back : {false, true})
-				if (!used[std::size_t(i)] && (pass == 1 || !bridged({i, back}))) result.push_back(group({i, back}, used));
+				if (!used[std::size_t(i)] && (pass == 1 || !bridged({i, back})))
+					result.push_back(group({i, back}, used));
 		}
 	memo_.forgetUnused();
 	groups_.forgetUnused();

@@ -18,9 +18,9 @@ struct LineEnd
 	bool operator==(const LineEnd& o) const { return line == o.line && back == o.back; }
 };
 
-/** One round of joining: two free ends that are each other's nearest place are bridged, any other free end is led to the
- * nearest point of another line, or of a distant part of its own, at most `attachDistance` sigma away. Remembers what it
- * did: ends with the same lines near them are not looked at again. */
+/** One round of joining: two free ends that are each other's nearest place are bridged, any other free end is led to
+ * the nearest point of another line, or of a distant part of its own, at most `attachDistance` sigma away. Remembers
+ * what it did: ends with the same lines near them are not looked at again. */
 class EndJoiner
 {
  public:

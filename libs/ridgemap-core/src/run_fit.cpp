@@ -7,7 +7,8 @@ namespace ridgemap
 {
 namespace
 {
-constexpr int newtonSteps = 5;
+constexpr int newtonSteps = 3;
+constexpr int crossingSteps = 5;
 
 using Matrix3 = std::array<double, 6>;  // symmetric: 11, 12, 13, 22, 23, 33
 
@@ -164,32 +165,34 @@ FittedCurve fitStraight(const SampleRange& samples)
 	return line;
 }
 
+std::optional<FittedCurve> bendOf(const FittedCurve& line, const SampleRange& samples)
+{
+	std::array<double, 3> right;
+	const std::optional<Matrix3> inverted = inverse(normalEquations(line, samples, right));
+	if (!inverted) return std::nullopt;
+	const std::array<double, 3> change = times(*inverted, right);
+	const Vec2 n = leftNormal(line.direction);
+	FittedCurve curve;
+	curve.origin = line.origin + change[0] * n;
+	curve.direction = unit(line.direction + change[1] * n);
+	curve.curvature = line.curvature + change[2];
+	curve.covariance = *inverted;
+	return curve;
+}
+
 std::optional<FittedCurve> fitArc(const SampleRange& samples)
 {
 	if (samples.size() < 4) return std::nullopt;
-	std::optional<FittedCurve> start = algebraicArc(samples);
-	FittedCurve curve = start ? *start : fitStraight(samples);
-	std::array<double, 3> right;
-	for (int step = 0; step < newtonSteps; step++)
-	{
-		const std::optional<Matrix3> inverted = inverse(normalEquations(curve, samples, right));
-		if (!inverted) return std::nullopt;
-		const std::array<double, 3> change = times(*inverted, right);
-		const Vec2 n = leftNormal(curve.direction);
-		curve.origin = curve.origin + change[0] * n;
-		curve.direction = unit(curve.direction + change[1] * n);
-		curve.curvature += change[2];
-	}
-	const std::optional<Matrix3> inverted = inverse(normalEquations(curve, samples, right));
-	if (!inverted) return std::nullopt;
-	curve.covariance = *inverted;
+	const std::optional<FittedCurve> start = algebraicArc(samples);
+	std::optional<FittedCurve> curve = start ? *start : fitStraight(samples);
+	for (int step = 0; curve && step < newtonSteps; step++) curve = bendOf(*curve, samples);
 	return curve;
 }
 
 std::optional<Vec2> intersection(const FittedCurve& a, const FittedCurve& b, Vec2 near, double reach)
 {
 	Vec2 p = near;
-	for (int step = 0; step < newtonSteps; step++)
+	for (int step = 0; step < crossingSteps; step++)
 	{
 		const Vec2 na = a.normal(p), nb = b.normal(p);
 		const double sine = cross(na, nb), da = a.distance(p), db = b.distance(p);

@@ -55,6 +55,10 @@ FittedCurve fitStraight(const SampleRange& samples);
 /** Arc through at least three samples; nothing where they do not determine one. */
 std::optional<FittedCurve> fitArc(const SampleRange& samples);
 
+/** The arc next to a line that was fitted to the samples: one step of fitArc() from there, which tells whether the
+ * samples bend. */
+std::optional<FittedCurve> bendOf(const FittedCurve& line, const SampleRange& samples);
+
 /** Where two curves cross near a place; nothing if they do not within `reach` of it. */
 std::optional<Vec2> intersection(const FittedCurve& a, const FittedCurve& b, Vec2 near, double reach);
 

@@ -15,6 +15,10 @@ constexpr double muchLonger = 1.5;  ///< an arc must reach this much farther tha
 constexpr std::size_t stride = 4;   ///< from one attempt to start a run to the next [samples]
 constexpr std::size_t search = 16;  ///< farthest that a boundary between two runs is moved [samples]
 
+constexpr std::size_t excessWindow = 64;  ///< samples to which a parabola is fitted
+constexpr double expectedSquare = 0.3;  ///< of their residuals, in variances, when these are right; found by simulation
+constexpr double largestExcess = 10;
+
 class RunFinder
 {
  public:
@@ -51,7 +55,7 @@ class RunFinder
 		{
 			run.curve = fitStraight(r);
 			if (!allNear(run)) return std::nullopt;
-			const std::optional<FittedCurve> bent = r.size() > 8 ? fitArc(r) : std::nullopt;
+			const std::optional<FittedCurve> bent = r.size() > 8 ? bendOf(run.curve, r) : std::nullopt;
 			if (bent && isBent(*bent)) return std::nullopt;
 			return run;
 		}
@@ -73,11 +77,11 @@ class RunFinder
 						   [&](const WallSample& s) { return isNear(run.curve, s); });
 	}
 
-	/** The longest run of a shape from here on. */
-	std::optional<Run> longest(WallShape shape, std::size_t from) const
+	/** The longest run of a shape from here on, if it is not shorter than `least`. */
+	std::optional<Run> longest(WallShape shape, std::size_t from, std::size_t least) const
 	{
-		if (from + rules_.least > samples_.size()) return std::nullopt;
-		std::optional<Run> best = fit(shape, from, from + rules_.least);
+		if (from + least > samples_.size()) return std::nullopt;
+		std::optional<Run> best = fit(shape, from, from + least);
 		if (!best) return std::nullopt;
 		std::size_t bad = samples_.size() + 1;
 		while (best->to + 1 < bad)
@@ -108,12 +112,12 @@ class RunFinder
 		std::size_t i = 0;
 		while (i < samples_.size())
 		{
-			const std::optional<Run> line = longest(WallShape::line, i), arc = longest(WallShape::arc, i);
-			const auto length = [&](const std::optional<Run>& r) { return r ? double(r->to - i) : 0; };
-			const bool bent = length(arc) > muchLonger * length(line);
-			if (bent || line)
+			const std::optional<Run> line = longest(WallShape::line, i, rules_.least);
+			const std::size_t least = line ? std::size_t(muchLonger * double(line->to - i)) + 1 : rules_.least;
+			const std::optional<Run> arc = longest(WallShape::arc, i, least);
+			if (arc || line)
 			{
-				runs_.push_back(bent ? *arc : *line);
+				runs_.push_back(arc ? *arc : *line);
 				i = runs_.back().to;
 				continue;
 			}
@@ -200,6 +204,29 @@ class RunFinder
 	std::vector<Run> runs_;
 };
 }  // namespace
+
+double excessError(const std::vector<WallSample>& samples)
+{
+	std::vector<double> ratios;
+	for (std::size_t from = 0; from + excessWindow <= samples.size(); from += excessWindow / 4)
+	{
+		const SampleRange r{samples.data() + from, samples.data() + from + excessWindow};
+		const std::optional<FittedCurve> arc = bendOf(fitStraight(r), r);
+		if (!arc) continue;
+		double square = 0;
+		for (const WallSample* i = r.first; i != r.last; i++)
+		{
+			const double d = arc->distance(i->p);
+			square += d * d / i->variance / double(excessWindow);
+		}
+		ratios.push_back(square);
+	}
+	if (ratios.empty()) return 1;
+	// A low quantile, as recesses and bends of the surface are no excess.
+	const auto quantile = ratios.begin() + std::ptrdiff_t(2 * ratios.size() / 5);
+	std::nth_element(ratios.begin(), quantile, ratios.end());
+	return std::min(largestExcess, std::max(1.0, std::sqrt(*quantile / expectedSquare)));
+}
 
 std::vector<Run> findRuns(const std::vector<WallSample>& samples, const RunRules& rules)
 {

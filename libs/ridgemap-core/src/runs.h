@@ -30,6 +30,10 @@ struct RunRules
 /** Samples that count as one, as their kernels overlap. */
 constexpr double samplesPerIndependent = 10;
 
+/** How much more the samples vary about short parabolas than their variances say, as a factor on their errors, 1 or
+ * more: on real maps errors of the poses come on top of the noise. 1 where there are too few samples to tell. */
+double excessError(const std::vector<WallSample>& samples);
+
 /** Parts the samples into runs, in order and without gaps. A run is as long as the samples stay within three standard
  * errors of one line or arc. */
 std::vector<Run> findRuns(const std::vector<WallSample>& samples, const RunRules& rules);

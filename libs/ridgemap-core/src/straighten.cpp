@@ -15,13 +15,15 @@ namespace ridgemap
 namespace
 {
 // Lengths in units of se = sqrt(sigma^2 + s^2), the width of the density across the wall.
-constexpr double spacing = 0.25;      ///< of samples
-constexpr double systematic = 0.01;   ///< error of a ridge that averages do not remove [sigma]
-constexpr double smallestRadius = 2;  ///< of an arc
-constexpr double largestTail = 2.4;   ///< between the last run and a made end, that is drawn as part of the run
-constexpr double tailReach = 0.5;     ///< farthest that the end may lie from the run for that
-constexpr double jointReach = 2.5;    ///< farthest that two runs may cross from where they meet
-constexpr double sagitta = 0.5;       ///< of the segments of an arc [eps]
+constexpr double spacing = 0.25;            ///< of samples
+constexpr double systematic = 0.01;         ///< error of a ridge that averages do not remove [sigma]
+constexpr double largestExcessError = 0.1;  ///< of a place, from what neither noise nor density explain
+constexpr double smallestRadius = 2;        ///< of an arc
+constexpr double largestTail = 3.5;         ///< between the last run and a made end, that is drawn as part of the run
+constexpr double tailReach = 0.5;           ///< farthest that the end may lie from the run for that
+constexpr double junctionReach = 1.5;       ///< the same where the end was led to another wall: ridges turn aside there
+constexpr double jointReach = 2.5;          ///< farthest that two runs may cross from where they meet
+constexpr double sagitta = 0.5;             ///< of the segments of an arc [eps]
 
 /** A stretch between made vertices, or ends, of a line: vertices first..last, samples of what lies on the ridge. */
 struct Section
@@ -43,9 +45,17 @@ class Straightener
 	Polyline run()
 	{
 		findSections();
+		std::vector<WallSample> all;
 		for (Section& s : sections_)
 		{
 			sample(s);
+			all.insert(all.end(), s.samples.begin(), s.samples.end());
+		}
+		const double excess = excessError(all), cap = largestExcessError * se_;
+		for (Section& s : sections_)
+		{
+			for (WallSample& i : s.samples)
+				i.variance = std::max(i.variance, std::min(excess * excess * i.variance, cap * cap));
 			RunRules rules;
 			rules.bounded = isMade(s.first) && isMade(s.last);
 			rules.largestCurvature = 1 / (smallestRadius * se_);
@@ -116,7 +126,8 @@ class Straightener
 		{
 			return tail.shape == WallShape::curve && run.shape == WallShape::line && isMade(vertex) &&
 				   s.samples[tail.to - 1].arc - s.samples[tail.from].arc < largestTail * se_ &&
-				   std::abs(run.curve.distance(point(vertex))) < tailReach * se_;
+				   std::abs(run.curve.distance(point(vertex))) <
+					   (line_.info[vertex].origin == VertexOrigin::junction ? junctionReach : tailReach) * se_;
 		};
 		if (s.runs.size() > 1 && isTail(s.runs.back(), s.runs[s.runs.size() - 2], s.last)) s.runs.pop_back();
 		if (s.runs.size() > 1 && isTail(s.runs[0], s.runs[1], s.first)) s.runs.erase(s.runs.begin());

@@ -11,7 +11,8 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double seatReach = 1;  ///< farthest that a led end is moved when the line below it has been drawn anew [sigma]
+constexpr double seatReach =
+	1;  ///< farthest that a led end is moved when the line below it has been drawn anew [sigma]
 
 const Point2& endOf(const Polyline& line, bool back)
 {
@@ -25,9 +26,7 @@ bool isLed(const Polyline& line, bool back)
 }  // namespace
 
 WallMaker::WallMaker(const Options& options)
-	: options_(options),
-	  joiners_{EndJoiner(options), EndJoiner(options), EndJoiner(options)},
-	  grid_(4 * options.sigma)
+	: options_(options), joiners_{EndJoiner(options), EndJoiner(options), EndJoiner(options)}, grid_(4 * options.sigma)
 {
 }
 
@@ -89,7 +88,9 @@ Lines WallMaker::trim(const Lines& lines)
 		const auto first = std::lower_bound(guests.begin(), guests.end(), p.x - range,
 											[](const Point2& g, double x) { return g.x < x; });
 		return std::any_of(first, guests.end(),
-						   [&](const Point2& g) { return g.x < p.x + range && norm(Vec2{g.x - p.x, g.y - p.y}) < range; });
+						   [&](const Point2& g) {
+							   return g.x < p.x + range && norm(Vec2{g.x - p.x, g.y - p.y}) < range;
+						   });
 	};
 	Lines result;
 	for (const LinePtr& line : lines)
@@ -103,9 +104,9 @@ Lines WallMaker::trim(const Lines& lines)
 		if (!free[0] && !free[1])
 			result.push_back(line);
 		else
-			result.push_back(
-				trimmed_.get(MemoKey().add(line).add(free[0]).add(free[1]),
-							 [&] { return std::make_shared<const Polyline>(trimEnds(*line, free[0], free[1], options_)); }));
+			result.push_back(trimmed_.get(
+				MemoKey().add(line).add(free[0]).add(free[1]),
+				[&] { return std::make_shared<const Polyline>(trimEnds(*line, free[0], free[1], options_)); }));
 	}
 	trimmed_.forgetUnused();
 	return result;

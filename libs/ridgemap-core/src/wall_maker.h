@@ -14,15 +14,15 @@
 namespace ridgemap
 {
 /** Makes walls of ridges, again and again as the ridges change: each pass is a pure function of a line and, where it
- * joins lines, of those near its ends, and is done again only when one of these is another one than before. So the walls
- * are a function of the ridges alone, and what an insertion costs depends on the lines that it changed. */
+ * joins lines, of those near its ends, and is done again only when one of these is another one than before. So the
+ * walls are a function of the ridges alone, and what an insertion costs depends on the lines that it changed. */
 class WallMaker
 {
  public:
 	explicit WallMaker(const Options& options);
 
-	/** The walls of these ridges, given in canonical order. Lines that are the same object as in the last call are taken
-	 * to be unchanged. */
+	/** The walls of these ridges, given in canonical order. Lines that are the same object as in the last call are
+	 * taken to be unchanged. */
 	std::vector<Polyline> make(const Lines& ridges);
 
 	/** Number of lines that passes were applied to so far. */
