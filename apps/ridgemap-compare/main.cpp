@@ -80,14 +80,15 @@ struct Place
 	bool withTruth;
 };
 
-std::vector<Place> placesOf(const CRidgeMap2D& map, bool truth)
+std::vector<Place> placesOf(const CRidgeMap2D& map, const std::vector<Segment>& truth)
 {
 	std::vector<Place> places{{"The whole map", grown(map.box(), 0.5), 640, false}};
-	const std::string red = truth ? ", the truth in red" : "";
+	const bool known = !truth.empty();
+	const std::string red = known ? ", the truth in red" : "";
 	if (const auto corner = sharpestCorner(map))
-		places.push_back({"A corner, 1 m wide" + red, around(*corner, 0.5), 400, truth});
-	if (const auto thin = thinnestWall(map))
-		places.push_back({"Two close surfaces, 1 m wide" + red, around(*thin, 0.5), 400, truth});
+		places.push_back({"A corner, 1 m wide" + red, around(*corner, 0.5), 400, known});
+	if (const auto thin = thinnestWall(map, truth))
+		places.push_back({"Two close surfaces, 1 m wide" + red, around(*thin, 0.5), 400, known});
 	return places;
 }
 
@@ -122,7 +123,7 @@ Report compare(const CommandLine& c)
 		report.figures.push_back(measured.figures);
 		if (places.empty())  // the ridge map is the first
 		{
-			places = placesOf(dynamic_cast<const CRidgeMap2D&>(measured.map->map()), !material.truth.empty());
+			places = placesOf(dynamic_cast<const CRidgeMap2D&>(measured.map->map()), material.truth);
 			for (const Place& place : places) report.rows.push_back({place.title, {}});
 		}
 		for (std::size_t i = 0; i < places.size(); i++)

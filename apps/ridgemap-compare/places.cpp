@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "../common/segment.h"
-
 namespace ridgemap::apps
 {
 namespace
@@ -77,10 +75,13 @@ std::optional<Point2> sharpestCorner(const CRidgeMap2D& map)
 	return corner;
 }
 
-std::optional<Point2> thinnestWall(const CRidgeMap2D& map)
+std::optional<Point2> thinnestWall(const CRidgeMap2D& map, const std::vector<Segment>& truth)
 {
-	constexpr double nearest = 0.03, farthest = 0.4, parallel = 0.97;
-	const auto segments = longSegments(map, 0.4);
+	constexpr double nearest = 0.03, farthest = 0.4, parallel = 0.97, least = 0.4;
+	std::vector<Segment> segments;
+	for (const Segment& s : truth)
+		if (s.seen && s.length() >= least) segments.push_back(s);
+	if (truth.empty()) segments = longSegments(map, least);
 	double best = farthest;
 	std::optional<Point2> place;
 	for (const Segment& s : segments)

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "../common/segment.h"
 #include "contestant.h"
 
 namespace ridgemap::apps
@@ -19,7 +20,8 @@ Box2 boxOf(const std::vector<PosedScan>& scans);
 
 /** The corner nearest to a right angle between two long straight walls. */
 std::optional<Point2> sharpestCorner(const CRidgeMap2D& map);
-/** Where two walls run closest beside each other, 3 to 40 cm apart. */
-std::optional<Point2> thinnestWall(const CRidgeMap2D& map);
+/** Where two walls run closest beside each other, 3 to 40 cm apart: of the truth if there is one, since the map may
+ * have made one of both, else of the map. */
+std::optional<Point2> thinnestWall(const CRidgeMap2D& map, const std::vector<Segment>& truth);
 
 }  // namespace ridgemap::apps
