@@ -162,7 +162,7 @@ TEST(UpdateResult, RegionsHoldTheChanges)
 										return contains(region.box, {p.x, p.y});
 									}));
 	EXPECT_GT(result.evaluations, 0u);
-	EXPECT_GT(result.kernels, result.evaluations);
+	EXPECT_GT(result.kernels, 0u);
 	EXPECT_GT(result.seeds, 0u);
 	std::size_t stops = 0;
 	for (const std::size_t n : result.stops) stops += n;

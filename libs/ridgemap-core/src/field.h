@@ -3,8 +3,10 @@
 
 #include <ridgemap/options.h>
 
+#include <memory>
 #include <vector>
 
+#include "field_nodes.h"
 #include "kernel_sum.h"
 #include "tile.h"
 
@@ -14,15 +16,15 @@ namespace ridgemap
 struct FieldWork
 {
 	std::size_t evaluations = 0;
-	std::size_t kernels = 0;
+	std::size_t kernels = 0;  ///< summed one by one
 };
 
 /** The continuous occupancy around one tile, in the frame of the tile [sigma], in kernels.
  *
- * A value depends only on the point and on the cells of the blocks within the cut-off, never on the tile through which
- * it is asked for, as long as the point is exact in both frames. Points are confined to `inDomain`: that bounds what a
- * tile's polylines can depend on, so that exactly the tiles of `dependents()` change with a block. Not thread-safe
- * (it counts its work); make one per tile and thread. */
+ * A value is interpolated between nodes, or summed kernel by kernel where measurements are kept apart. It depends only
+ * on the point and on the cells within the cut-off, never on the tile through which it is asked for, as long as the
+ * point is exact in both frames. Points are confined to `inDomain`: that bounds what a tile's polylines can depend on.
+ * Not thread-safe (it counts its work and keeps what it has looked up); make one per tile and thread. */
 class TileField
 {
  public:
@@ -33,6 +35,8 @@ class TileField
 
 	/** Number of blocks around a tile that its field can depend on. */
 	static int haloBlocks(double cutoff);
+	/** Number of blocks around a tile whose nodes its field can depend on. */
+	static int haloOfNodes();
 
 	/** No kernel is within reach of the tile. */
 	bool empty() const
@@ -54,7 +58,7 @@ class TileField
 	}
 
 	/** L and its derivatives at a point of the domain. */
-	KernelSums sample(Vec2 p) const;
+	KernelSums sample(Vec2 p) const { return compacts_ ? sampleNodes(p) : sampleKernels(p); }
 
 	/** Number of measurements in the blocks that come within `radius` of p. */
 	double weightNear(Vec2 p, double radius) const;
@@ -88,18 +92,31 @@ class TileField
 	{
 		for (int by = y.first; by <= y.last; by++) reach_.add(by + halo_, x.first + halo_, x.last + halo_);
 	}
+	KernelSums sampleNodes(Vec2 p) const;
+	KernelSums sampleKernels(Vec2 p) const;
+	/** The nodes of a block and around it; nullptr if they are all zero. */
+	const float* patch(int bx, int by) const;
+	void copyNodes(int bx, int by, float* patch) const;
+
 	const Block* block(int bx, int by) const { return blocks_[std::size_t((by + halo_) * side_ + bx + halo_)]; }
 	static Vec2 centre(int bx, int by) { return {4.0 * bx + 2.0, 4.0 * by + 2.0}; }
 
+	bool compacts_;
 	double edge_;
 	double cutoff_;
 	int halo_;                          ///< blocks beyond the tile on each side
 	int side_;                          ///< blocks along one side of the neighbourhood
-	std::vector<const Block*> blocks_;  ///< row by row; nullptr where there is no kernel
+	std::vector<const Block*> blocks_;  ///< row by row; nullptr where there is nothing
 	std::size_t nonEmpty_ = 0;
 	mutable std::vector<BlockView> views_;
+	mutable std::vector<std::unique_ptr<float[]>> patches_;  ///< of the blocks, made when they are asked for
+	mutable std::vector<bool> looked_;  ///< of the blocks: their patch is made, or known to be empty
 	mutable BlockMask reach_;
 	mutable FieldWork work_;
 };
+
+/** L and its derivatives at a point of the lattice frame [sigma]: the sum over the kernels of all cells in reach, one
+ * by one. Slower than a field and without its interpolation; not thread-safe. */
+KernelSums sumOfCells(TileStore& store, const Options& options, Vec2 p);
 
 }  // namespace ridgemap

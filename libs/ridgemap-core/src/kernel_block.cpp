@@ -2,9 +2,8 @@
 #include "kernel_block.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
-
-#include "kernel_merge.h"
 
 namespace ridgemap
 {
@@ -74,6 +73,18 @@ void Block::dropEmpty()
 	cells.erase(std::remove_if(cells.begin(), cells.end(), [](const Cell& c) { return c.sums.n == 0; }), cells.end());
 }
 
+void Block::remember(CellKey key, const CellSums& sums)
+{
+	const auto it = std::lower_bound(before.begin(), before.end(), key, keyLess);
+	if (it == before.end() || it->key != key) before.insert(it, Cell{key, sums});
+}
+
+void Block::dropZeroNodes()
+{
+	if (std::all_of(nodes.begin(), nodes.end(), [](std::int64_t v) { return v == 0; }))
+		nodes = std::vector<std::int64_t>();
+}
+
 void Block::rebuild(const CellGrid& grid)
 {
 	points.clear();
@@ -84,13 +95,21 @@ void Block::rebuild(const CellGrid& grid)
 		points.push_back({float(p.x), float(p.y), c.sums.n});
 		weight += double(c.sums.n);
 	}
-	makeKernels(*this, grid);
+	kernels = KernelList();
+	if (!grid.compacts()) makeKernels(grid);
+}
+
+void Block::makeKernels(const CellGrid& grid)
+{
+	if (kernels.count == cells.size()) return;
+	for (const Cell& c : cells) kernels.add(momentsOf(c, grid));
 }
 
 std::size_t Block::memoryBytes() const
 {
-	return sizeof(Block) + cells.capacity() * sizeof(Cell) + kernels.capacity() * sizeof(KernelGroup) +
-		   points.capacity() * sizeof(CellPoint);
+	return sizeof(Block) + (cells.capacity() + before.capacity()) * sizeof(Cell) +
+		   points.capacity() * sizeof(CellPoint) + nodes.capacity() * sizeof(std::int64_t) +
+		   kernels.groups.capacity() * sizeof(KernelGroup);
 }
 
 Vec2 centroidInBlock(const Cell& cell, const CellGrid& grid)
@@ -101,6 +120,39 @@ Vec2 centroidInBlock(const Cell& cell, const CellGrid& grid)
 				 cy = double(grid.centre(cellRow(cell.key))) - half;
 	return {(cx + double(cell.sums.sx) / n) / double(Frame::quantaPerSigma),
 			(cy + double(cell.sums.sy) / n) / double(Frame::quantaPerSigma)};
+}
+
+CellMoments momentsOf(const Cell& cell, const CellGrid& grid)
+{
+	CellMoments m;
+	m.n = cell.sums.n;
+	m.mean = centroidInBlock(cell, grid);
+	const double quantum = double(Frame::quantaPerSigma), unit = double(CellSums::momentShift) / quantum;
+	const double mx = double(cell.sums.sx) / m.n / quantum, my = double(cell.sums.sy) / m.n / quantum;
+	m.xx = std::max(0.0, double(cell.sums.sxx) / m.n * unit * unit - mx * mx);
+	m.yy = std::max(0.0, double(cell.sums.syy) / m.n * unit * unit - my * my);
+	const double limit = std::sqrt(m.xx * m.yy);
+	m.xy = std::max(-limit, std::min(limit, double(cell.sums.sxy) / m.n * unit * unit - mx * my));
+	return m;
+}
+
+void KernelList::add(const CellMoments& m)
+{
+	const std::size_t lane = count % 8;
+	if (lane == 0) groups.push_back(KernelGroup{});
+	count++;
+	KernelGroup& g = groups.back();
+	const double det = (1 + m.xx) * (1 + m.yy) - m.xy * m.xy;
+	g.x[lane] = float(m.mean.x);
+	g.y[lane] = float(m.mean.y);
+	g.a[lane] = float((1 + m.yy) / det);
+	g.b[lane] = float(-m.xy / det);
+	g.c[lane] = float((1 + m.xx) / det);
+	g.w[lane] = float(m.n / std::sqrt(det));
+	minX = std::min(minX, g.x[lane]);
+	maxX = std::max(maxX, g.x[lane]);
+	minY = std::min(minY, g.y[lane]);
+	maxY = std::max(maxY, g.y[lane]);
 }
 
 }  // namespace ridgemap

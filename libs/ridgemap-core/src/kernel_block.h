@@ -41,16 +41,13 @@ struct Cell
 class CellGrid
 {
  public:
-	explicit CellGrid(const Options& o)
-		: edge_(o.cell > 0 ? std::int64_t(o.cell * double(Frame::quantaPerSigma)) : 1),
-		  mergeTolerance_(0.8e-3 * std::min(0.02, o.effectiveEps() / o.sigma) *
-						  std::min(1.0, 64 * o.cell * o.cell * o.cell))
+	explicit CellGrid(const Options& o) : edge_(o.cell > 0 ? std::int64_t(o.cell * double(Frame::quantaPerSigma)) : 1)
 	{
 	}
 
 	std::int64_t edge() const { return edge_; }
-	/** Largest error of a kernel that stands for several cells, as a share of all kernels of its block. */
-	double mergeTolerance() const { return mergeTolerance_; }
+	/** Measurements are added up in cells; else each keeps its own kernel, the paper's raw buffer. */
+	bool compacts() const { return edge_ > 1; }
 	/** Half the extent of a cell [sigma]: how far a measurement may lie from the place of its kernel. */
 	double halfExtent() const { return edge_ > 1 ? 0.5 * double(edge_) / double(Frame::quantaPerSigma) : 0; }
 	std::int64_t cellsPerBlock() const { return Frame::quantaPerBlock / edge_; }
@@ -66,7 +63,6 @@ class CellGrid
 
  private:
 	std::int64_t edge_;
-	double mergeTolerance_;
 };
 
 /** Eight kernels side by side, one SIMD lane each: place relative to the block centre [sigma], the inverse (a b; b c)
@@ -83,22 +79,50 @@ struct CellPoint
 	std::uint32_t n;
 };
 
-/** A square of 4 x 4 sigma with its cells (exact) and what is made from them by rebuild(): the kernels to be summed and
- * the places of the measurements. Both are a function of the cells alone, in canonical order. */
+/** Number, mean relative to the block centre and central second moments per measurement of a cell [sigma]. */
+struct CellMoments
+{
+	double n = 0;
+	Vec2 mean;
+	double xx = 0, xy = 0, yy = 0;
+};
+CellMoments momentsOf(const Cell& cell, const CellGrid& grid);
+
+/** Kernels to be summed directly, in canonical order. */
+struct KernelList
+{
+	std::vector<KernelGroup> groups;
+	std::size_t count = 0;  ///< kernels in use; the last group may have free lanes
+	float minX = 1e30f, maxX = -1e30f, minY = 1e30f,
+		  maxY = -1e30f;  ///< box around them relative to the block centre [sigma]
+
+	/** Appends one kernel: a normal density whose covariance is that of the smoothing kernel plus that of the
+	 * measurements about their mean. It has the mass, mean and second moments of the sum of their kernels. */
+	void add(const CellMoments& m);
+};
+
+/** A square of 4 x 4 sigma with its cells (exact) and what is made from them. Everything is a function of the cells in
+ * reach alone. */
 struct Block
 {
-	std::vector<Cell> cells;        ///< sorted by key
-	std::vector<CellPoint> points;  ///< one for every cell
-	std::vector<KernelGroup> kernels;
-	std::size_t kernelCount = 0;                   ///< kernels in use; the last group may have free lanes
-	float minX = 0, maxX = 0, minY = 0, maxY = 0;  ///< box of the kernels relative to the block centre [sigma]
-	double weight = 0;                             ///< sum of the counts
+	std::vector<Cell> cells;          ///< sorted by key
+	std::vector<Cell> before;         ///< cells changed since the nodes were brought up to date, as they were then
+	std::vector<CellPoint> points;    ///< one for every cell
+	double weight = 0;                ///< sum of the counts
+	std::vector<std::int64_t> nodes;  ///< values of L at the nodes of the block, row by row; empty: all zero
+	KernelList kernels;               ///< of the cells; where they are compacted, made only when asked for
 
 	CellSums& findOrAdd(CellKey key);
 	const Cell* find(CellKey key) const;
 	/** Takes out cells that hold nothing. */
 	void dropEmpty();
-	/** Recomputes everything that is made from the cells. */
+	/** Keeps what a cell held when the nodes were last brought up to date. */
+	void remember(CellKey key, const CellSums& sums);
+	/** Makes the list of kernels, one for every cell, unless it is there. */
+	void makeKernels(const CellGrid& grid);
+	/** Frees the nodes if they are all zero. */
+	void dropZeroNodes();
+	/** Recomputes everything that is made from the cells of this block alone. */
 	void rebuild(const CellGrid& grid);
 	std::size_t memoryBytes() const;
 };

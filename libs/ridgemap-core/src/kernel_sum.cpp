@@ -7,16 +7,42 @@ namespace ridgemap
 {
 #ifdef RIDGEMAP_HAVE_AVX2_UNIT
 KernelSums sumKernelsAvx2(const BlockView* views, std::size_t count);
+void addToNodesAvx2(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1);
+KernelSums interpolateNodesAvx2(const float* corner, float tx, float ty);
+
+namespace
+{
+const bool hasAvx2 = __builtin_cpu_supports("avx2");
+}
 
 KernelSums sumKernels(const BlockView* views, std::size_t count)
 {
-	static const bool avx2 = __builtin_cpu_supports("avx2");
-	return avx2 ? sumKernelsAvx2(views, count) : sumKernelsImpl(views, count);
+	return hasAvx2 ? sumKernelsAvx2(views, count) : sumKernelsImpl(views, count);
+}
+
+void addToNodes(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1)
+{
+	(hasAvx2 ? addToNodesAvx2 : addToNodesImpl)(nodes, window, originX, originY, y0, y1);
+}
+
+KernelSums interpolateNodes(const float* corner, float tx, float ty)
+{
+	return hasAvx2 ? interpolateNodesAvx2(corner, tx, ty) : interpolateNodesImpl(corner, tx, ty);
 }
 #else
 KernelSums sumKernels(const BlockView* views, std::size_t count)
 {
 	return sumKernelsImpl(views, count);
+}
+
+void addToNodes(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1)
+{
+	addToNodesImpl(nodes, window, originX, originY, y0, y1);
+}
+
+KernelSums interpolateNodes(const float* corner, float tx, float ty)
+{
+	return interpolateNodesImpl(corner, tx, ty);
 }
 #endif
 }  // namespace ridgemap

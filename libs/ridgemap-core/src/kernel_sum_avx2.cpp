@@ -8,4 +8,14 @@ KernelSums sumKernelsAvx2(const BlockView* views, std::size_t count)
 {
 	return sumKernelsImpl(views, count);
 }
+
+void addToNodesAvx2(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1)
+{
+	addToNodesImpl(nodes, window, originX, originY, y0, y1);
+}
+
+KernelSums interpolateNodesAvx2(const float* corner, float tx, float ty)
+{
+	return interpolateNodesImpl(corner, tx, ty);
+}
 }  // namespace ridgemap

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The body of sumKernels(), compiled once per instruction set. Included by kernel_sum_*.cpp only; everything has
-// internal linkage, so that no two variants meet at link time.
+// The innermost loops, compiled once per instruction set. Included by kernel_sum*.cpp only; everything has internal
+// linkage, so that no two variants meet at link time.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <cstring>
 
+#include "field_nodes.h"
+#include "interpolation_table.h"
 #include "kernel_sum.h"
 
 namespace ridgemap
@@ -90,6 +94,107 @@ inline KernelSums sumKernelsImpl(const BlockView* views, std::size_t count)
 	s.txxy = laneSum(txxy);
 	s.txyy = laneSum(txyy);
 	s.tyyy = laneSum(tyyy);
+	return s;
+}
+
+inline void addToNodesImpl(std::int64_t* nodes, const KernelWindow& w, int originX, int originY, int y0, int y1)
+{
+	typedef std::int64_t Int4 __attribute__((vector_size(32)));
+	typedef Int4 UnalignedInt4 __attribute__((aligned(8), may_alias));
+	typedef double UnalignedDouble4 __attribute__((vector_size(32), aligned(8), may_alias));
+	// Adding it rounds to an integer, which the bits of the sum then tell, for anything up to 2^51.
+	const Double4 magic = Double4{} + 6755399441055744.0;
+	for (int row = y0; row < y1; row++)
+	{
+		const int j = row + originY;
+		const double y = w.y[j], dy = w.dy[j];
+		const int end = std::min(nodesPerBlock, w.last[j] - originX);
+		for (int column = std::max(0, w.first[j] - originX); column < end; column += 4)
+		{
+			const double* x = w.x + column + originX;
+			const double* dx = w.dx + column + originX;
+			const Double4 value =
+				*reinterpret_cast<const UnalignedDouble4*>(x) * y + *reinterpret_cast<const UnalignedDouble4*>(dx) * dy;
+			UnalignedInt4& sum = *reinterpret_cast<UnalignedInt4*>(nodes + row * nodesPerBlock + column);
+			sum += (Int4)(value + magic) - (Int4)magic;
+		}
+	}
+}
+
+/** interpolation_table.h and its derivatives with respect to the place in sigma, highest power first. */
+struct InterpolationWeights
+{
+	alignas(32) float c[4][interpolationDegree + 1][8] = {};
+	constexpr InterpolationWeights()
+	{
+		double scale = 1;
+		for (int order = 0; order < 4; order++, scale *= nodesPerSigma)
+			for (int k = order; k <= interpolationDegree; k++)
+				for (int tap = 0; tap < 8; tap++)
+				{
+					double factor = scale;
+					for (int i = 0; i < order; i++) factor *= k - i;
+					c[order][interpolationDegree - k][tap] = float(factor * interpolationTable[k][tap]);
+				}
+	}
+};
+constexpr InterpolationWeights interpolationWeights;
+
+/** Weights of the taps for the derivatives of order 0 to 3. */
+inline void tapWeights(const Float8& u, Float8 (&w)[4])
+{
+	for (int order = 0; order < 4; order++)
+	{
+		const auto& c = interpolationWeights.c[order];
+		w[order] = load(c[0]);
+		for (int k = 1; k <= interpolationDegree - order; k++) w[order] = w[order] * u + load(c[k]);
+	}
+}
+
+/** Sums over the lanes of eight vectors: lane order 0, 2, 4, 6, 1, 3, 5, 7. */
+inline void laneSums(const Float8 (&v)[8], Float8& result)
+{
+	const Int8 low = {0, 1, 2, 3, 8, 9, 10, 11}, high = {4, 5, 6, 7, 12, 13, 14, 15};
+	const Int8 first = {0, 1, 8, 9, 4, 5, 12, 13}, second = {2, 3, 10, 11, 6, 7, 14, 15};
+	const Int8 even = {0, 2, 8, 10, 4, 6, 12, 14}, odd = {1, 3, 9, 11, 5, 7, 13, 15};
+	Float8 half[4], quarter[2];
+	for (int i = 0; i < 4; i++)
+		half[i] = __builtin_shuffle(v[2 * i], v[2 * i + 1], low) + __builtin_shuffle(v[2 * i], v[2 * i + 1], high);
+	for (int i = 0; i < 2; i++)
+		quarter[i] = __builtin_shuffle(half[2 * i], half[2 * i + 1], first) +
+					 __builtin_shuffle(half[2 * i], half[2 * i + 1], second);
+	result = __builtin_shuffle(quarter[0], quarter[1], even) + __builtin_shuffle(quarter[0], quarter[1], odd);
+}
+
+inline KernelSums interpolateNodesImpl(const float* corner, float tx, float ty)
+{
+	const Float8 ux = Float8{} + (tx - 0.5f), uy = Float8{} + (ty - 0.5f);
+	Float8 x[4], y[4];
+	tapWeights(ux, x);
+	tapWeights(uy, y);
+	Float8 r0{}, r1{}, r2{}, r3{};  // derivatives along y of every column
+	for (int row = 0; row < 8; row++)
+	{
+		const Float8 nodes = load(corner + row * NodePatch::stride);
+		r0 += y[0][row] * nodes;
+		r1 += y[1][row] * nodes;
+		r2 += y[2][row] * nodes;
+		r3 += y[3][row] * nodes;
+	}
+	Float8 a, b;
+	laneSums({x[0] * r0, x[1] * r0, x[0] * r1, x[2] * r0, x[1] * r1, x[0] * r2, x[3] * r0, x[0] * r3}, a);
+	laneSums({x[2] * r1, x[1] * r2, Float8{}, Float8{}, Float8{}, Float8{}, Float8{}, Float8{}}, b);
+	KernelSums s;
+	s.value = a[0];
+	s.gx = a[4];
+	s.gy = a[1];
+	s.hxx = a[5];
+	s.hxy = a[2];
+	s.hyy = a[6];
+	s.txxx = a[3];
+	s.tyyy = a[7];
+	s.txxy = b[0];
+	s.txyy = b[4];
 	return s;
 }
 }  // namespace

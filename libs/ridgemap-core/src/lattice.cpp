@@ -20,7 +20,10 @@ void checkCoordinates(const Measurement& m, std::size_t index)
 }  // namespace
 
 Lattice::Lattice(const Options& options)
-	: frame_(options.sigma), grid_(options), tiles_(int(options.tileEdge / double(Frame::blockEdge)))
+	: frame_(options.sigma),
+	  grid_(options),
+	  spreader_(grid_, options.cutoff),
+	  tiles_(int(options.tileEdge / double(Frame::blockEdge)))
 {
 }
 
@@ -152,7 +155,9 @@ void Lattice::apply(std::vector<Delta> list, int sign)
 	{
 		const Delta& d = list[i];
 		Tile& tile = tiles_.at(tiles_.tileOfBlock(d.block.x, d.block.y));
-		CellSums& sums = tile.blocks[slot(d.block)].findOrAdd(d.key);
+		Block& block = tile.blocks[slot(d.block)];
+		CellSums& sums = block.findOrAdd(d.key);
+		if (grid_.compacts()) block.remember(d.key, sums);
 		if (sums.n == 0) tile.cellCount++;
 		if (after[i].n == 0) tile.cellCount--;
 		measurements_ += std::uint64_t(after[i].n) - sums.n;
@@ -161,18 +166,55 @@ void Lattice::apply(std::vector<Delta> list, int sign)
 	}
 }
 
-std::vector<BlockIndex> Lattice::refresh()
+/** Brings the nodes around a block up to date with its cells; returns how many kernels that took. */
+std::size_t Lattice::spreadChanges(BlockIndex b, std::vector<BlockIndex>& touched)
 {
-	std::vector<BlockIndex> list(changed_.begin(), changed_.end());
-	std::sort(list.begin(), list.end());
-	for (const BlockIndex& b : list)
+	const int reach = spreader_.reach(), side = 2 * reach + 1;
+	std::vector<Block*> around(std::size_t(side * side), nullptr);
+	const auto nodesOf = [&](int dx, int dy)
 	{
-		Block& block = tiles_.at(tiles_.tileOfBlock(b.x, b.y)).blocks[slot(b)];
+		Block*& target = around[std::size_t((dy + reach) * side + dx + reach)];
+		if (!target)
+		{
+			const BlockIndex index{b.x + dx, b.y + dy};
+			target = &blockAt(index);
+			if (target->nodes.empty()) target->nodes.assign(std::size_t(nodesPerBlock * nodesPerBlock), 0);
+			touched.push_back(index);
+		}
+		return target->nodes.data();
+	};
+	Block& block = blockAt(b);
+	std::size_t kernels = 0;
+	for (const Cell& old : block.before)
+	{
+		const Cell* now = block.find(old.key);
+		if (now ? now->sums == old.sums : old.sums.n == 0) continue;
+		kernels += std::size_t(old.sums.n > 0) + std::size_t(now != nullptr);
+		if (old.sums.n > 0) spreader_.spread(old, -1, nodesOf);
+		if (now) spreader_.spread(*now, +1, nodesOf);
+	}
+	block.before = std::vector<Cell>();
+	return kernels;
+}
+
+Lattice::Changes Lattice::refresh()
+{
+	Changes changes;
+	changes.cells.assign(changed_.begin(), changed_.end());
+	std::sort(changes.cells.begin(), changes.cells.end());
+	changed_.clear();
+	for (const BlockIndex& b : changes.cells)
+	{
+		Block& block = blockAt(b);
 		block.dropEmpty();
 		block.rebuild(grid_);
+		if (grid_.compacts()) changes.kernels += spreadChanges(b, changes.values);
 	}
-	changed_.clear();
-	return list;
+	if (!grid_.compacts()) changes.values = changes.cells;
+	std::sort(changes.values.begin(), changes.values.end());
+	changes.values.erase(std::unique(changes.values.begin(), changes.values.end()), changes.values.end());
+	for (const BlockIndex& b : changes.values) blockAt(b).dropZeroNodes();
+	return changes;
 }
 
 /** Calls fn(index, block) for every block with cells, row by row over the whole map. */

@@ -6,6 +6,7 @@
 #include <unordered_set>
 #include <vector>
 
+#include "field_nodes.h"
 #include "frame.h"
 #include "kernel_block.h"
 #include "tile.h"
@@ -51,8 +52,15 @@ class Lattice
 	Box2 boundingBox() const;
 
 	bool hasChanged() const { return !changed_.empty(); }
-	/** Rebuilds the kernels of the blocks changed since the last call and returns their indices in canonical order. */
-	std::vector<BlockIndex> refresh();
+	/** What changed since the last call. */
+	struct Changes
+	{
+		std::vector<BlockIndex> cells;   ///< blocks whose cells changed
+		std::vector<BlockIndex> values;  ///< blocks where L changed; in canonical order, both
+		std::size_t kernels = 0;         ///< kernels of cells spread over nodes
+	};
+	/** Brings up to date what is made from the cells. */
+	Changes refresh();
 
  private:
 	/** What to add to or take from one cell. */
@@ -73,11 +81,14 @@ class Lattice
 	CellSums changed(const Delta& d, int sign) const;
 	const Block* findBlock(BlockIndex b) const;
 	std::size_t slot(BlockIndex b) const;
+	Block& blockAt(BlockIndex b) { return tiles_.at(tiles_.tileOfBlock(b.x, b.y)).blocks[slot(b)]; }
+	std::size_t spreadChanges(BlockIndex b, std::vector<BlockIndex>& touched);
 	template <class Fn>
 	void forEachBlock(Fn fn) const;
 
 	Frame frame_;
 	CellGrid grid_;
+	KernelSpreader spreader_;
 	TileStore tiles_;
 	std::uint64_t measurements_ = 0;
 	std::unordered_set<BlockIndex, BlockIndexHash> changed_;

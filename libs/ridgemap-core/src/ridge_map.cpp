@@ -239,12 +239,7 @@ OccupancySample RidgeMap::occupancy(const Point2& p) const
 	m.updateForQuery();
 	OccupancySample o;
 	if (!(std::abs(p.x) <= maxCoordinate && std::abs(p.y) <= maxCoordinate)) return o;
-	const TileStore& tiles = m.lattice.tiles();
-	const Vec2 q = m.lattice.frame().toLattice(p);
-	const double edge = tiles.tileEdge();
-	const TileKey key{std::int32_t(std::floor(q.x / edge)), std::int32_t(std::floor(q.y / edge))};
-	const TileField field(tiles, key, m.options);
-	const KernelSums s = field.sample({q.x - key.x * edge, q.y - key.y * edge});
+	const KernelSums s = sumOfCells(m.lattice.tiles(), m.options, m.lattice.frame().toLattice(p));
 
 	// Rotate to the map frame: derivatives along the map's axes, which in the lattice frame are x' and y'.
 	const Vec2 a = Frame::rotateToLattice({1, 0}), b = Frame::rotateToLattice({0, 1});

@@ -7,38 +7,52 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double reach = 3;         ///< farthest that a measurement is brought to a ridge [sigma]
-constexpr double tolerance = 1e-4;  ///< [sigma]
+constexpr double tolerance = 1e-4;     ///< [sigma]
+constexpr double longestStep = 0.4;    ///< [sigma]
+constexpr double shortestClimb = 0.3;  ///< where the density does not lead to a ridge yet [sigma]
 constexpr int maxIterations = 40;
 
-bool accepted(const RidgePoint& r, const Options& o)
+/** The value with its size confined to [least, most]. */
+double clamped(double value, double least, double most)
 {
-	return r.occupancy >= o.lTol && isRidgeLike(r, o);
+	const double size = std::max(least, std::min(most, std::abs(value)));
+	return value < 0 ? -size : size;
 }
 
-/** Mean shift along v1 while the density is not yet attractive, Newton's method on f where it is. */
-std::optional<RidgePoint> project(const TileField& field, const Options& options, Vec2 start,
-								  const std::function<bool(Vec2)>& known)
+Search judge(const RidgePoint& r, const Options& o)
 {
-	Vec2 p = start;
+	if (r.occupancy >= o.lTol && isRidgeLike(r, o)) return {Search::found, r};
+	return {Search::noRidge, std::nullopt};
+}
+
+/** Uphill along v1 while the density is not yet attractive, Newton's method on f where it is. */
+Search project(const TileField& field, const Options& options, Vec2 start, const std::function<bool(Vec2)>& known)
+{
+	Vec2 p = start, climbed;
 	for (int i = 0; i < maxIterations; i++)
 	{
 		const RidgePoint r = makeRidgePoint(p, field.sample(p));
-		if (!(r.occupancy > 0)) return std::nullopt;
-		double step = r.f / r.occupancy;
+		if (!(r.occupancy > 0)) return {Search::noRidge, std::nullopt};
+		Vec2 move;
 		if (r.lambda1 < -0.05 * r.occupancy)
 		{
 			const double slope = dot(r.df, r.v1);
-			step = -r.f / (slope < 0.2 * r.lambda1 ? slope : r.lambda1);
-			if (std::abs(r.f) < tolerance * std::min(norm(r.df), -r.lambda1))
-				return accepted(r, options) ? std::optional(r) : std::nullopt;
+			if (std::abs(r.f) < tolerance * std::min(norm(r.df), -r.lambda1)) return judge(r, options);
+			move = clamped(-r.f / (slope < 0.2 * r.lambda1 ? slope : r.lambda1), 0, longestStep) * r.v1;
+			climbed = {};
 		}
-		else if (std::abs(step) < tolerance)
-			return std::nullopt;
-		p = p + std::max(-0.4, std::min(0.4, step)) * r.v1;
-		if (!field.inDomain(p) || norm(p - start) > reach || known(p)) return std::nullopt;
+		else
+		{
+			// The mean shift would creep where it is nearly flat.
+			move = clamped(r.f / r.occupancy, shortestClimb, longestStep) * r.v1;
+			if (dot(move, climbed) < 0) return {Search::noRidge, std::nullopt};  // back and forth on a plateau
+			climbed = move;
+		}
+		p = p + move;
+		if (!field.inDomain(p) || norm(p - start) > searchReach) return {};
+		if (known(p)) return {Search::noRidge, std::nullopt};
 	}
-	return std::nullopt;
+	return {};
 }
 
 /** Step of Newton's method for a maximum, confined to a radius: along each eigenvector to the extremum if L is concave
@@ -56,16 +70,16 @@ Vec2 trustRegionStep(const RidgePoint& r, double radius)
 	return length > radius ? (radius / length) * step : step;
 }
 
-std::optional<RidgePoint> climb(const TileField& field, const Options& options, Vec2 start,
-								const std::function<bool(Vec2)>& known)
+Search climb(const TileField& field, const Options& options, Vec2 start, const std::function<bool(Vec2)>& known)
 {
 	RidgePoint r = makeRidgePoint(start, field.sample(start));
 	double radius = 0.5;
 	for (int i = 0; i < maxIterations && radius > tolerance; i++)
 	{
 		const Vec2 step = trustRegionStep(r, radius);
-		if (norm(step) < tolerance) return accepted(r, options) ? std::optional(r) : std::nullopt;
-		if (!field.inDomain(r.p + step) || known(r.p + step)) return std::nullopt;
+		if (norm(step) < tolerance) return judge(r, options);
+		if (!field.inDomain(r.p + step)) return {};
+		if (known(r.p + step)) return {Search::noRidge, std::nullopt};
 		const RidgePoint next = makeRidgePoint(r.p + step, field.sample(r.p + step));
 		const double a = dot(step, r.v1), b = dot(step, r.v2);
 		const double predicted = dot(r.gradient, step) + 0.5 * (r.lambda1 * a * a + r.lambda2 * b * b);
@@ -73,12 +87,11 @@ std::optional<RidgePoint> climb(const TileField& field, const Options& options, 
 		radius = ratio < 0.25 ? 0.5 * radius : ratio > 0.75 ? std::min(1.0, 2 * radius) : radius;
 		if (next.occupancy > r.occupancy) r = next;
 	}
-	return std::nullopt;
+	return {};
 }
 }  // namespace
 
-std::optional<RidgePoint> findRidge(const TileField& field, const Options& options, Vec2 start,
-									const std::function<bool(Vec2)>& known)
+Search findRidge(const TileField& field, const Options& options, Vec2 start, const std::function<bool(Vec2)>& known)
 {
 	return options.seedRule == SeedRule::maximum ? climb(field, options, start, known)
 												 : project(field, options, start, known);

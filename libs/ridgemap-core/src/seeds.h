@@ -10,9 +10,24 @@
 
 namespace ridgemap
 {
-/** Finds a ridge point above L_tol by the rule of the options, starting at a measurement. None if the search does not
- * converge to one within the domain of the field, or as soon as it comes to a place that is `known` already. */
-std::optional<RidgePoint> findRidge(const TileField& field, const Options& options, Vec2 start,
-									const std::function<bool(Vec2)>& known);
+/** Farthest that a measurement is brought to a ridge [sigma]. */
+constexpr double searchReach = 3;
+
+/** What a search for a ridge came to. */
+struct Search
+{
+	enum Outcome
+	{
+		found,    ///< `ridge` is above L_tol
+		noRidge,  ///< it led to no ridge, or to a place that is known already
+		gaveUp    ///< it went too far, left the domain of the field or did not converge
+	};
+	Outcome outcome = gaveUp;
+	std::optional<RidgePoint> ridge;
+};
+
+/** Looks for a ridge above L_tol by the rule of the options, starting at a measurement. Ends as soon as it comes to a
+ * place that is `known`; that is asked for every place on the way. */
+Search findRidge(const TileField& field, const Options& options, Vec2 start, const std::function<bool(Vec2)>& known);
 
 }  // namespace ridgemap

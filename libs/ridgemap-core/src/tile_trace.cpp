@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "exp_series.h"
+#include "place_set.h"
 #include "seeds.h"
 #include "stopwatch.h"
 #include "tracer.h"
@@ -15,11 +15,8 @@ namespace
 {
 constexpr double coverDistance = 1;    ///< measurements within this of a piece start no ridge [sigma]
 constexpr double knownDistance = 0.2;  ///< a search that comes this close to a piece has found nothing new [sigma]
-constexpr double shadowWidth = 4;      ///< how far a ridge can outweigh measurements beside it [sigma]
-constexpr double shadowShare = 0.4;   ///< of the density of a wall beside it, above which a cell may have its own ridge
-constexpr double leastCell = 0.25;    ///< edge by which the density of uncompacted measurements is judged [sigma]
-constexpr double seedMargin = 0.5;    ///< measurements up to this far outside a tile may start ridges in it [sigma]
-constexpr double leastLength = 0.02;  ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
+constexpr double seedMargin = 0.5;     ///< measurements up to this far outside a tile may start ridges in it [sigma]
+constexpr double leastLength = 0.02;   ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
 
 double lengthOf(const std::vector<RidgeNode>& nodes)
 {
@@ -28,27 +25,16 @@ double lengthOf(const std::vector<RidgeNode>& nodes)
 	return sum;
 }
 
-/** Box around a piece. */
-struct Bounds
-{
-	Vec2 low{1e30, 1e30}, high{-1e30, -1e30};
-
-	void extend(Vec2 p)
-	{
-		low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-		high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-	}
-	bool isNear(Vec2 p, double d) const
-	{
-		return p.x > low.x - d && p.y > low.y - d && p.x < high.x + d && p.y < high.y + d;
-	}
-};
-
 class TileTracer
 {
  public:
 	TileTracer(const TileField& field, TileBorder& border, const Options& options)
-		: field_(field), border_(border), options_(options), tracer_(field, border, options, result_.pieces)
+		: field_(field),
+		  border_(border),
+		  options_(options),
+		  covered_(field.tileEdge(), TileField::margin),
+		  searched_(field.tileEdge(), TileField::margin),
+		  tracer_(field, border, options, result_.pieces)
 	{
 	}
 
@@ -89,32 +75,36 @@ class TileTracer
 	{
 		const double edge = field_.tileEdge(), half = 0.5 * edge;
 		// Collected first: tracing must not depend on how far the loop over kernels has come.
-		std::vector<std::pair<Vec2, std::uint32_t>> starts;
+		std::vector<Vec2> starts;
 		field_.forEachCellNear(
 			{half, half}, half + seedMargin,
-			[&](Vec2 q, std::uint32_t n)
+			[&](Vec2 q, std::uint32_t)
 			{
 				if (q.x >= -seedMargin && q.y >= -seedMargin && q.x <= edge + seedMargin && q.y <= edge + seedMargin)
-					starts.push_back({q, n});
+					starts.push_back(q);
 			});
-		for (const auto& [q, n] : starts)
-			if (!covered(q, coverDistance) && !outweighed(q, n)) fromMeasurement(q);
+		for (const Vec2& q : starts)
+			if (!covered_.contains(q) && !searched_.contains(q)) fromMeasurement(q);
 	}
 
+	/** Looks for a ridge from one measurement, unless an earlier search came past. */
 	void fromMeasurement(Vec2 q)
 	{
 		result_.seeds++;
-		Vec2 last = q;
+		path_.clear();
+		path_.push_back(q);
 		const auto known = [&](Vec2 p)
 		{
-			last = p;
-			return covered(p, knownDistance) ||
-				   std::any_of(barren_.begin(), barren_.end(), [&](Vec2 b) { return norm(p - b) < knownDistance; });
+			path_.push_back(p);
+			return searched_.contains(p);
 		};
-		const std::optional<RidgePoint> seed = findRidge(field_, options_, q, known);
-		const bool here = seed && border_.contains(seed->p);
-		if (!here && !covered(last, knownDistance)) barren_.push_back(last);
-		if (!here || covered(seed->p, knownDistance)) return;
+		const Search search = findRidge(field_, options_, q, known);
+		// Where this search came past, another one would end in the same place; unless this one ran out of its reach,
+		// which would take another one farther, but not to a ridge that is its own.
+		for (const Vec2& p : path_)
+			if (search.outcome != Search::gaveUp || norm(p - q) < 0.5 * searchReach) searched_.add(p);
+		const std::optional<RidgePoint>& seed = search.ridge;
+		if (!seed || !border_.contains(seed->p)) return;
 		result_.traces++;
 		const Vec2 tangent = seed->tangent(seed->v2);
 		RidgeTracer::Walk forward = tracer_.walk(*seed, tangent);
@@ -155,44 +145,13 @@ class TileTracer
 		result_.stops[std::size_t(walk.end.reason)]++;
 	}
 
-	bool covered(Vec2 p, double distance) const
-	{
-		for (std::size_t k = 0; k < result_.pieces.size(); k++)
-		{
-			if (!boxes_[k].isNear(p, distance)) continue;
-			const std::vector<RidgeNode>& nodes = result_.pieces[k].nodes;
-			for (std::size_t i = 1; i < nodes.size(); i++)
-				if (footOnSegment(nodes[i - 1].p, nodes[i].p, p).distance < distance) return true;
-		}
-		return false;
-	}
-
-	/** The cell at q lies in the tail of a wall that is so much denser there that no ridge of its own can rise. */
-	bool outweighed(Vec2 q, std::uint32_t n) const
-	{
-		const double cell = options_.cell > 0 ? options_.cell : leastCell;
-		const double density = double(n) / (cell * cell);  // measurements per sigma^2
-		for (std::size_t k = 0; k < result_.pieces.size(); k++)
-		{
-			if (!boxes_[k].isNear(q, shadowWidth)) continue;
-			const std::vector<RidgeNode>& nodes = result_.pieces[k].nodes;
-			for (std::size_t i = 1; i < nodes.size(); i++)
-			{
-				const RidgeNode &a = nodes[i - 1], &b = nodes[i];
-				const double d = footOnSegment(a.p, b.p, q).distance;
-				if (d > shadowWidth) continue;
-				const double wall = double(std::min(a.info.occupancy, b.info.occupancy)) * expMinusSeries(0.5 * d * d);
-				if (density < shadowShare * wall) return true;
-			}
-		}
-		return false;
-	}
-
 	void add(Piece&& piece)
 	{
-		Bounds box;
-		for (const RidgeNode& n : piece.nodes) box.extend(n.p);
-		boxes_.push_back(box);
+		for (std::size_t i = 1; i < piece.nodes.size(); i++)
+		{
+			covered_.addCapsule(piece.nodes[i - 1].p, piece.nodes[i].p, coverDistance);
+			searched_.addCapsule(piece.nodes[i - 1].p, piece.nodes[i].p, knownDistance);
+		}
 		result_.pieces.push_back(std::move(piece));
 	}
 
@@ -200,8 +159,9 @@ class TileTracer
 	TileBorder& border_;
 	const Options& options_;
 	TileTrace result_;
-	std::vector<Bounds> boxes_;  ///< of the pieces
-	std::vector<Vec2> barren_;   ///< where searches ended that found no ridge of this tile
+	PlaceSet covered_;        ///< measurements here start no ridge
+	PlaceSet searched_;       ///< a search that comes here finds nothing new
+	std::vector<Vec2> path_;  ///< of the present search
 	RidgeTracer tracer_;
 };
 }  // namespace

@@ -27,22 +27,32 @@ struct Work
 	double borderSeconds = 0;
 };
 
-/** Tiles whose field can reach one of the blocks, in canonical order. */
-std::vector<Work> dependentTiles(const std::vector<BlockIndex>& blocks, TileStore& tiles, const Options& options)
+/** Marks the blocks in the tiles whose field looks at them: those at most `reach` blocks away. */
+void markDependents(const std::vector<BlockIndex>& blocks, int reach, int halo, const TileStore& tiles,
+					std::map<TileKey, BlockMask>& masks)
 {
-	const int halo = TileField::haloBlocks(options.cutoff), perEdge = tiles.blocksPerEdge(), side = perEdge + 2 * halo;
-	std::map<TileKey, BlockMask> masks;
+	const int perEdge = tiles.blocksPerEdge();
 	for (const BlockIndex& b : blocks)
 	{
-		const TileKey low = tiles.tileOfBlock(b.x - halo, b.y - halo), high = tiles.tileOfBlock(b.x + halo, b.y + halo);
+		const TileKey low = tiles.tileOfBlock(b.x - reach, b.y - reach),
+					  high = tiles.tileOfBlock(b.x + reach, b.y + reach);
 		for (std::int32_t y = low.y; y <= high.y; y++)
 			for (std::int32_t x = low.x; x <= high.x; x++)
 			{
-				BlockMask& mask = masks.try_emplace({x, y}, side).first->second;
+				BlockMask& mask = masks.try_emplace({x, y}, perEdge + 2 * halo).first->second;
 				const int column = int(b.x - std::int64_t(x) * perEdge) + halo;
 				mask.add(int(b.y - std::int64_t(y) * perEdge) + halo, column, column);
 			}
 	}
+}
+
+/** Tiles whose field can reach something that changed, in canonical order. */
+std::vector<Work> dependentTiles(const Lattice::Changes& changes, TileStore& tiles, const Options& options)
+{
+	const int halo = TileField::haloBlocks(options.cutoff);
+	std::map<TileKey, BlockMask> masks;
+	markDependents(changes.cells, halo, halo, tiles, masks);
+	markDependents(changes.values, CellGrid(options).compacts() ? TileField::haloOfNodes() : halo, halo, tiles, masks);
 	std::vector<Work> result;
 	for (auto& entry : masks)
 	{
@@ -89,8 +99,10 @@ std::vector<UpdateRegion> findRegions(const std::vector<Work>& works, const Latt
 
 bool isDefault(const Tile& t)
 {
-	return t.cellCount == 0 && t.pieces.empty() && t.stubs.empty() && t.corner == Vec2{} && t.bottom.path.size() <= 2 &&
-		   t.left.path.size() <= 2 && t.bottom.crossings.empty() && t.left.crossings.empty();
+	const auto hasNodes = [](const Block& b) { return !b.nodes.empty(); };
+	return t.cellCount == 0 && std::none_of(t.blocks.begin(), t.blocks.end(), hasNodes) && t.pieces.empty() &&
+		   t.stubs.empty() && t.corner == Vec2{} && t.bottom.path.size() <= 2 && t.left.path.size() <= 2 &&
+		   t.bottom.crossings.empty() && t.left.crossings.empty();
 }
 
 /** The three stages of an update. Each looks only at what the stage before has finished, and is skipped where nothing
@@ -186,9 +198,10 @@ std::vector<ReplacedTile> updateTiles(Lattice& lattice, const Options& options, 
 {
 	TileStore& tiles = lattice.tiles();
 	const Stopwatch watch;
-	const std::vector<BlockIndex> changed = lattice.refresh();
+	const Lattice::Changes changes = lattice.refresh();
 	result.seconds.kernels = watch.seconds();
-	std::vector<Work> works = dependentTiles(changed, tiles, options);
+	result.kernels += changes.kernels;
+	std::vector<Work> works = dependentTiles(changes, tiles, options);
 	TileUpdate update(tiles, options, works);
 	parallelFor(works.size(), threads, [&](std::size_t i) { update.placeCorners(works[i]); });
 	parallelFor(works.size(), threads, [&](std::size_t i) { update.layBorders(works[i]); });

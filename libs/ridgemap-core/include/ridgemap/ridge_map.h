@@ -54,10 +54,11 @@ struct UpdateResult
 	std::array<std::size_t, std::size_t(StopReason::count_)> stops{};  ///< ends of traces by reason
 	std::size_t tiles = 0;                                             ///< tiles recomputed
 	std::size_t evaluations = 0;                                       ///< evaluations of the continuous occupancy
-	std::size_t kernels = 0;  ///< kernels summed in these evaluations (lattice cells, not measurements)
-	std::size_t seeds = 0;    ///< measurements from which a ridge was looked for
-	std::size_t traces = 0;   ///< ridges that were followed, from crossings one way and from seeds both ways
-	StepTimes seconds;        ///< by step
+	std::size_t kernels =
+		0;  ///< kernels of lattice cells added to or taken from the nodes, or summed one by one (`cell` = 0)
+	std::size_t seeds = 0;   ///< measurements from which a ridge was looked for
+	std::size_t traces = 0;  ///< ridges that were followed, from crossings one way and from seeds both ways
+	StepTimes seconds;       ///< by step
 
 	/** Adds what happened next. Polylines that appeared here and vanished there are in neither list of the sum. */
 	UpdateResult& operator+=(const UpdateResult& o);

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The occupancy at nodes and between them: against the sum over all cells, one variant against another, and what is
+// taken away against what was added.
+#include "field_nodes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <iostream>
+#include <map>
+
+#include "field.h"
+#include "kernel_sum_impl.h"
+#include "lattice.h"
+#include "place_set.h"
+#include "random.h"
+#include "scenes.h"
+
+namespace ridgemap
+{
+#ifdef RIDGEMAP_HAVE_AVX2_UNIT
+void addToNodesAvx2(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1);
+KernelSums interpolateNodesAvx2(const float* corner, float tx, float ty);
+#endif
+}  // namespace ridgemap
+
+namespace ridgemap::test
+{
+namespace
+{
+using Nodes = std::vector<std::int64_t>;
+constexpr std::size_t nodeCount = std::size_t(nodesPerBlock * nodesPerBlock);
+
+/** A cell somewhere in its block with some measurements. */
+Cell randomCell(Random& random, const CellGrid& grid)
+{
+	const std::int64_t side = grid.cellsPerBlock();
+	Cell cell;
+	const auto column = std::int64_t(random.below(std::size_t(side))),
+			   row = std::int64_t(random.below(std::size_t(side)));
+	cell.key = makeCellKey(0, column, row);
+	for (std::size_t n = 1 + random.below(5); n > 0; n--)
+	{
+		const auto place = [&](std::int64_t index)
+		{ return index * grid.edge() + std::int64_t(random.below(std::size_t(grid.edge()))); };
+		const CellSums s = grid.single({place(column), place(row)});
+		cell.sums = {cell.sums.n + 1,       cell.sums.sx + s.sx,   cell.sums.sy + s.sy,
+					 cell.sums.sxx + s.sxx, cell.sums.sxy + s.sxy, cell.sums.syy + s.syy};
+	}
+	return cell;
+}
+
+std::array<double, 10> jet(const KernelSums& s)
+{
+	return {s.value, s.gx, s.gy, s.hxx, s.hxy, s.hyy, s.txxx, s.txxy, s.txyy, s.tyyy};
+}
+}  // namespace
+
+TEST(FieldNodes, HoldTheSumOfTheKernels)
+{
+	for (const double edge : {1.0, 0.5, 0.25, 0.125})
+	{
+		Options o;
+		o.cell = edge;
+		const CellGrid grid(o);
+		const KernelSpreader spreader(grid, o.cutoff);
+		Random random(std::uint64_t(8 / edge));
+		for (int trial = 0; trial < 50; trial++)
+		{
+			const Cell cell = randomCell(random, grid);
+			std::map<std::pair<int, int>, Nodes> blocks;
+			spreader.spread(cell, +1,
+							[&](int bx, int by)
+							{
+								EXPECT_LE(std::max(std::abs(bx), std::abs(by)), spreader.reach());
+								return blocks.try_emplace({bx, by}, Nodes(nodeCount, 0)).first->second.data();
+							});
+			const CellMoments m = momentsOf(cell, grid);
+			for (int trialNode = 0; trialNode < 200; trialNode++)
+			{
+				const int i = int(random.below(60)) - 22, j = int(random.below(60)) - 22;
+				const int bx = int(floorDiv(i, nodesPerBlock)), by = int(floorDiv(j, nodesPerBlock));
+				const auto block = blocks.find({bx, by});
+				const std::int64_t value =
+					block == blocks.end()
+						? 0
+						: block->second[std::size_t((j - by * nodesPerBlock) * nodesPerBlock + i - bx * nodesPerBlock)];
+				const double dx = 0.25 * i - 2 - m.mean.x, dy = 0.25 * j - 2 - m.mean.y;
+				// A normal density with the cell's covariance added.
+				const double vx = 1 + m.xx, vy = 1 + m.yy, det = vx * vy - m.xy * m.xy;
+				const double truth =
+					m.n / std::sqrt(det) * std::exp(-0.5 * (vy * dx * dx - 2 * m.xy * dx * dy + vx * dy * dy) / det);
+				const double tilt = m.n * m.xy * m.xy;  // covariance enters to first order
+				const double cut = dx * dx + dy * dy > o.cutoff * o.cutoff ? m.n * 4e-6 : 0;
+				EXPECT_NEAR(double(value) / nodesPerKernel, truth, 1e-6 + tilt + cut) << "edge " << edge;
+			}
+		}
+	}
+}
+
+TEST(FieldNodes, TakeAwayExactlyWhatTheyAdded)
+{
+	const CellGrid grid{Options()};
+	const KernelSpreader spreader(grid, 5);
+	Random random(2);
+	Nodes nodes(nodeCount * 49, 0);
+	const auto nodesOf = [&](int bx, int by) { return nodes.data() + nodeCount * std::size_t((by + 3) * 7 + bx + 3); };
+	std::vector<Cell> cells;
+	for (int i = 0; i < 50; i++) cells.push_back(randomCell(random, grid));
+	for (const Cell& c : cells) spreader.spread(c, +1, nodesOf);
+	EXPECT_GT(*std::max_element(nodes.begin(), nodes.end()), 0);
+	random.shuffle(cells);
+	for (const Cell& c : cells) spreader.spread(c, -1, nodesOf);
+	EXPECT_EQ(nodes, Nodes(nodes.size(), 0));
+}
+
+TEST(FieldNodes, InterpolationAgreesWithTheSumOfAllCells)
+{
+	std::array<double, 4> worst{};
+	constexpr std::array<std::size_t, 10> orderOf{0, 1, 1, 2, 2, 2, 3, 3, 3, 3};
+	for (std::uint64_t seed = 500; seed < 510; seed++)
+	{
+		const RandomScene scene = randomScene(seed, 2);
+		Options o;
+		o.sigma = scene.sigma;
+		o.cutoff = 8;  // so that only the interpolation is seen
+		Lattice lattice(o);
+		lattice.insert(scene.measurements);
+		lattice.refresh();
+		Random random(seed);
+		for (int trial = 0; trial < 300; trial++)
+		{
+			const Measurement& m = scene.measurements[random.below(scene.measurements.size())];
+			Vec2 p = lattice.frame().toLattice({m.x, m.y});
+			p = p + 2 * Vec2{random.normal(), random.normal()};
+			p = {std::round(p.x * 1024) / 1024, std::round(p.y * 1024) / 1024};
+			const double edge = lattice.tiles().tileEdge();
+			const TileKey key{std::int32_t(std::floor(p.x / edge)), std::int32_t(std::floor(p.y / edge))};
+			const Vec2 corner{key.x * edge, key.y * edge};
+			const auto truth = jet(sumOfCells(lattice.tiles(), o, p));
+			const auto got = jet(TileField(lattice.tiles(), key, o).sample(p - corner));
+			// The scale of the derivatives grows with the distance from where the measurements are.
+			double scale = 0;
+			for (double dx = -1; dx <= 1; dx++)
+				for (double dy = -1; dy <= 1; dy++)
+					scale = std::max(scale, sumOfCells(lattice.tiles(), o, p + Vec2{dx, dy}).value);
+			if (scale < 0.5) continue;
+			for (std::size_t i = 0; i < truth.size(); i++)
+				worst[orderOf[i]] = std::max(worst[orderOf[i]], std::abs(got[i] - truth[i]) / scale);
+		}
+	}
+	std::cout << "seeds 500-509: relative errors of interpolation " << worst[0] << ", " << worst[1] << ", " << worst[2]
+			  << ", " << worst[3] << "\n";
+	EXPECT_LT(worst[0], 5e-5);
+	EXPECT_LT(worst[1], 1e-4);
+	EXPECT_LT(worst[2], 1e-3);
+	EXPECT_LT(worst[3], 1e-2);
+}
+
+TEST(FieldNodes, TheSamePointHasTheSameBitsInEveryTile)
+{
+	const RandomScene scene = randomScene(520, 3);
+	Options o;
+	o.sigma = scene.sigma;
+	Lattice lattice(o);
+	lattice.insert(scene.measurements);
+	lattice.refresh();
+	Random random(3);
+	int compared = 0;
+	for (const TileKey key : lattice.tiles().keys())
+	{
+		const double edge = lattice.tiles().tileEdge();
+		const TileField here(lattice.tiles(), key, o), right(lattice.tiles(), {key.x + 1, key.y}, o);
+		for (int i = 0; i < 20; i++)
+		{
+			const Vec2 p{edge + std::round(1024 * random.uniform(-2.9, 2.9)) / 1024, random.uniform(0, edge)};
+			const KernelSums a = here.sample(p), b = right.sample({p.x - edge, p.y});
+			ASSERT_EQ(std::memcmp(&a, &b, sizeof a), 0);
+			compared += a.value > 0.1;
+		}
+	}
+	EXPECT_GT(compared, 100);
+}
+
+TEST(FieldNodes, EveryVariantGivesTheSameBits)
+{
+#ifdef RIDGEMAP_HAVE_AVX2_UNIT
+	if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "this processor has no AVX2";
+	Random random(4);
+	for (int trial = 0; trial < 500; trial++)
+	{
+		KernelWindow w{};
+		for (int i = 0; i < KernelWindow::capacity; i++)
+		{
+			w.x[i] = random.uniform();
+			w.dx[i] = random.uniform(-1, 1);
+			w.y[i] = random.uniform(-1e9, 1e9);
+			w.dy[i] = random.uniform(-1e7, 1e7);
+			w.first[i] = 4 * int(random.below(5));
+			w.last[i] = w.first[i] + 4 * int(random.below(10));
+		}
+		Nodes a(nodeCount, 7), b(nodeCount, 7);
+		const int originX = 4 * int(random.below(10)) - 12, originY = int(random.below(30));
+		addToNodesImpl(a.data(), w, originX, originY, 0, nodesPerBlock);
+		addToNodesAvx2(b.data(), w, originX, originY, 0, nodesPerBlock);
+		ASSERT_EQ(a, b);
+		std::vector<float> patch(NodePatch::size);
+		for (float& v : patch) v = float(random.uniform(0, 1000));
+		const float tx = float(random.uniform()), ty = float(random.uniform());
+		const KernelSums p = interpolateNodesImpl(patch.data(), tx, ty), q = interpolateNodesAvx2(patch.data(), tx, ty);
+		ASSERT_EQ(std::memcmp(&p, &q, sizeof p), 0);
+	}
+#else
+	GTEST_SKIP() << "there is only the portable variant here";
+#endif
+}
+
+TEST(FieldNodes, AreFreedWhenTheyAreZeroAgain)
+{
+	const RandomScene scene = randomScene(521, 2);
+	Lattice lattice{Options()};
+	lattice.insert(scene.measurements);
+	lattice.refresh();
+	lattice.erase(scene.measurements);
+	lattice.refresh();
+	for (const TileKey key : lattice.tiles().keys())
+		for (const Block& b : lattice.tiles().find(key)->blocks) EXPECT_TRUE(b.nodes.empty() && b.cells.empty());
+}
+
+TEST(PlaceSet, HoldsWhatLiesNear)
+{
+	Random random(5);
+	for (int trial = 0; trial < 100; trial++)
+	{
+		PlaceSet set(16, 3);
+		const Vec2 a{random.uniform(-2, 18), random.uniform(-2, 18)};
+		const Vec2 b = a + Vec2{random.uniform(-2, 2), random.uniform(-2, 2)};
+		set.addCapsule(a, b, 1);
+		for (int i = 0; i < 500; i++)
+		{
+			const Vec2 p{random.uniform(-3, 19), random.uniform(-3, 19)};
+			const double d = footOnSegment(a, b, p).distance;
+			if (d < 0.7) EXPECT_TRUE(set.contains(p));
+			if (d > 1.2) EXPECT_FALSE(set.contains(p));
+		}
+		EXPECT_FALSE(set.contains({-3.1, 5}));
+		EXPECT_FALSE(set.contains({5, 19.1}));
+	}
+}
+
+}  // namespace ridgemap::test
