@@ -48,28 +48,38 @@ Finding convergence(const Setting& setting)
 	f.title = "Convergence";
 	f.claim = "The construction converges unconditionally.";
 	const std::size_t wanted = setting.quick ? 30000 : 1000000;
-	std::array<std::size_t, std::size_t(StopReason::count_)> stops{};
-	std::size_t ends = 0, scenes = 0, metres = 0;
+	UpdateResult sum;
+	std::size_t scenes = 0, unstitched = 0;
+	double metres = 0;
 	Random random(setting.seed + 14);
-	for (; ends < wanted; scenes++)
+	for (; sum.traces < wanted; scenes++)
 	{
 		Options options;
 		options.sigma = 0.1;
 		RidgeMap map(options);
 		map.insert(randomScene(random));
 		const UpdateResult u = map.update();
-		for (std::size_t i = 0; i < stops.size(); i++) stops[i] += u.stops[i];
-		ends = std::accumulate(stops.begin(), stops.end(), std::size_t(0));
-		for (const Polyline& p : map.ridges()) metres += std::size_t(p.length());
+		for (std::size_t i = 0; i < u.stops.size(); i++) sum.stops[i] += u.stops[i];
+		sum.traces += u.traces;
+		unstitched += map.statistics().unstitchedCrossings;
+		for (const Polyline& p : map.ridges()) metres += p.length();
 	}
-	f.result = format("%zu ends of traces in %zu random scenes of walls, arcs and outliers (%zu m of ridge): ", ends,
-					  scenes, metres);
-	for (std::size_t i = 0; i < stops.size(); i++)
-		f.result += format("%s%zu %s", i > 0 ? ", " : "", stops[i], toString(StopReason(i)));
-	const std::size_t failed =
-		stops[std::size_t(StopReason::noConvergence)] + stops[std::size_t(StopReason::workLimit)];
-	f.result += format(". Not converged, or stopped by the bound on work: %zu, %.2g per million.", failed,
-					   1e6 * double(failed) / double(ends));
+	f.table.columns = {"traces", "ends"};
+	f.table.rows = {{double(sum.traces), double(std::accumulate(sum.stops.begin(), sum.stops.end(), std::size_t(0)))}};
+	for (std::size_t i = 0; i < sum.stops.size(); i++)
+	{
+		f.table.columns.push_back(toString(StopReason(i)));
+		f.table.rows[0].push_back(double(sum.stops[i]));
+	}
+	const auto count = [&](StopReason r) { return sum.stops[std::size_t(r)]; };
+	const std::size_t failed = count(StopReason::noConvergence) + count(StopReason::workLimit);
+	f.result = format(
+		"%zu traces in %zu random scenes of walls, arcs and outliers (%.0f m of ridge). Not converged at the smallest "
+		"step, or stopped by the bound on work: %zu. All others end where the occupancy falls below L_tol, where "
+		"measurements end, where the ridge criterion fails (umbilic points, flat or repelling places), at another "
+		"polyline or at the border of a tile, where the next tile goes on; %zu of them at a place of the border where "
+		"the scan had missed the crossing, so that nothing goes on there. %zu crossings join nothing.",
+		sum.traces, scenes, metres, failed, count(StopReason::unregisteredExit), unstitched);
 	f.verdict = failed == 0 ? Verdict::holds : Verdict::differs;
 	return f;
 }

@@ -185,6 +185,27 @@ TEST(Exactness, CrossingsAreStitched)
 	EXPECT_LE(double(unstitched), 0.001 * double(crossings));
 }
 
+TEST(Exactness, EveryTraceEndsForAReasonOfTheDensity)
+{
+	UpdateResult sum;
+	for (int i = 0; i < sceneCount(60); i++)
+	{
+		const RandomScene scene = randomScene(7000 + std::uint64_t(i));
+		RidgeMap map(optionsFor(scene));
+		map.insert(scene.measurements);
+		const UpdateResult u = map.update();
+		for (const StopReason r : {StopReason::noConvergence, StopReason::workLimit, StopReason::unregisteredExit})
+			EXPECT_EQ(u.stops[std::size_t(r)], 0u) << toString(r) << " in " << describe(scene);
+		sum += u;
+	}
+	std::size_t ends = 0;
+	for (const std::size_t n : sum.stops) ends += n;
+	EXPECT_GT(sum.traces, 1000u);
+	EXPECT_GE(ends, sum.traces);
+	EXPECT_LE(ends, 2 * sum.traces);
+	EXPECT_GT(sum.stops[std::size_t(StopReason::notARidge)], 100u);
+}
+
 TEST(Exactness, WallsHaveNoFragmentsAndNoDanglingEnds)
 {
 	// The first seeds were found difficult: an end beside the way that joins another end; ends that meet their own

@@ -4,6 +4,7 @@
 #include <ridgemap/ridge_map.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 #include <map>
 #include <set>
@@ -186,6 +187,28 @@ TEST(UpdateResult, FarPolylinesKeepTheirIds)
 	replay.apply(map, result);
 	EXPECT_EQ(replay.idsNear({51, 0}, 2), far);
 	replay.expectSame(map);
+}
+
+TEST(UpdateResult, TellsTheTimesOfItsSteps)
+{
+	RidgeMap map;
+	map.insert(randomScene(3).measurements);
+	const auto start = std::chrono::steady_clock::now();
+	const UpdateResult r = map.update();
+	const double all = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+	double sum = 0;
+	for (const double s :
+		 {r.seconds.kernels, r.seconds.borders, r.seconds.crossings, r.seconds.seeds, r.seconds.chains})
+	{
+		EXPECT_GT(s, 0);
+		sum += s;
+	}
+	EXPECT_LE(sum, all);
+	EXPECT_GT(sum, 0.5 * all);
+	UpdateResult twice = r;
+	twice += r;
+	EXPECT_EQ(twice.seconds.borders, 2 * r.seconds.borders);
+	EXPECT_EQ(twice.traces, 2 * r.traces);
 }
 
 TEST(UpdateResult, OfNoChangeIsEmpty)
