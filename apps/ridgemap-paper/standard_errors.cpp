@@ -45,7 +45,8 @@ void addWallCoverage(double density, double sigma, std::uint64_t seed, Coverage&
 	addWall(points, {{-margin, 0}, {length + margin, 0}}, density, noise, random);
 	Options options;
 	options.sigma = sigma;
-	options.eps = sigma / 5000;  // a chord within eps smooths what chance does on this scale
+	options.eps = sigma / 5000;                         // a chord within eps smooths what chance does on this scale
+	options.straighten = options.correctBends = false;  // of the ridges themselves, without short ones
 	RidgeMap map(options);
 	map.insert(points);
 	double covered = 0, found = 0;

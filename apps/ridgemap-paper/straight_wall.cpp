@@ -22,7 +22,8 @@ double wallError(double density, std::uint64_t seed)
 	addWall(points, wall, density, noise, random);
 	Options options;
 	options.sigma = sigma;
-	options.eps = sigma / 5000;  // a chord within eps smooths what chance does on this scale
+	options.eps = sigma / 5000;                         // a chord within eps smooths what chance does on this scale
+	options.straighten = options.correctBends = false;  // of the ridges themselves, without short ones
 	RidgeMap map(options);
 	map.insert(points);
 	DistanceSum sum;

@@ -4,6 +4,7 @@
 #include <ridgemap/atomic_file.h>
 #include <ridgemap/drawing.h>
 #include <ridgemap/polyline_csv.h>
+#include <ridgemap/standard_error.h>
 
 #include <filesystem>
 #include <limits>
@@ -144,6 +145,7 @@ TEST(VerticesCsv, whatIsKnownAndWhatIsNot)
 	Polyline line;
 	line.points = {{0.1, 2}, {3, 4}};
 	line.info = {{100, 0.8f}, {}};
+	line.info[0].standardError = float(ridgeUncertainty(line.info[0], 0.1).standardError);
 	std::ostringstream out;
 	writeVerticesCsv(out, {line}, 0.1);
 	std::istringstream in(out.str());

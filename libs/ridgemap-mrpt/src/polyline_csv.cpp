@@ -70,8 +70,11 @@ void writeVerticesCsv(std::ostream& out, const std::vector<Polyline>& polylines,
 			field(polylines[i].points[k].y, true, 17);
 			field(double(info.occupancy), info.occupancy > 0, 9);
 			field(u.noise, info.occupancy > 0 && info.curvature > 0, 6);
-			field(u.standardError, std::isfinite(u.standardError), 6);
-			field(u.halfWidth95, std::isfinite(u.halfWidth95), 6);
+			const double error = double(info.standardError);
+			field(error, std::isfinite(error), 6);
+			// Fitted walls rest on so many measurements that their errors are normal.
+			const bool onRidge = info.origin == VertexOrigin::ridge;
+			field(onRidge ? u.halfWidth95 : 1.959964 * error, std::isfinite(error), 6);
 			*at++ = '\n';
 			out.write(line, at - line);
 		}

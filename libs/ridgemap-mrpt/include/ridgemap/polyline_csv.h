@@ -19,8 +19,8 @@ void writePolylinesCsv(const std::string& path, const std::vector<Polyline>& pol
 
 /** Writes what is known of every node, in the order of writePolylinesCsv(): header
  * `polyline,x,y,occupancy,noise,standard_error,half_width_95` with occupancy in kernels and the rest in metres: noise
- * of the measurements across the wall, standard error of the place across the wall, half width of its 95 % interval
- * (see ridgeUncertainty()). Fields of which nothing is known stay empty, as for nodes that a wall pass added.
+ * of the measurements across the wall, VertexInfo::standardError, half width of the 95 % interval of the place (on
+ * ridges see ridgeUncertainty()). Fields of which nothing is known stay empty.
  * @param sigma smoothing parameter of the map [m]. */
 void writeVerticesCsv(std::ostream& out, const std::vector<Polyline>& polylines, double sigma);
 
