@@ -182,7 +182,8 @@ TEST(Lattice, AnUnknownSensorIsNoError)
 {
 	RidgeMap map;
 	map.insert({{1, 1}, {1, 1, nan, 3}, {1, 1, 5, 5}});
-	map.erase({{1, 1, 2, 2}, {1, 1}, {1, 1}});
+	EXPECT_THROW(map.erase({{1, 1, 9, 2}}), std::invalid_argument) << "this ray was never there";
+	map.erase({{1, 1}, {1, 1, 5, 5}, {1, 1}});
 	EXPECT_TRUE(map.empty());
 }
 

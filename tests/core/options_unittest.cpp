@@ -40,6 +40,10 @@ const std::vector<NumberCase>& numberCases()
 		{"minCurvature", &Options::minCurvature, {0, 0.05, 1}, {-0.01, 1.01}, {"0", "1"}},
 		{"pruneLength", &Options::pruneLength, {0, 3, 100}, {-1, 101}, {"0", "100", "sigma"}},
 		{"attachDistance", &Options::attachDistance, {0, 2.2, 5}, {-1, 5.1}, {"0", "5", "sigma"}},
+		{"freeSpaceTau", &Options::freeSpaceTau, {0, 0.5, 1}, {-0.1, 1.1}, {"0", "1"}},
+		{"freeSpaceWindow", &Options::freeSpaceWindow, {0, 1.5, 10}, {-1, 10.1}, {"0", "10", "sigma"}},
+		{"freeSpaceLeast", &Options::freeSpaceLeast, {0, 2, 1e6}, {-1, 1.1e6}, {"0", "1e+06", "passes"}},
+		{"freeSpaceMargin", &Options::freeSpaceMargin, {1, 2.5, 20}, {0.9, 20.1}, {"1", "20", "sigma"}},
 	};
 	return cases;
 }

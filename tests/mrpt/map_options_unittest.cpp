@@ -74,11 +74,13 @@ TEST(MapOptions, EveryFieldOfTheCoreIsInTheTable)
 	all.maxStep = 1.5, all.minCurvature = 0.25, all.maxSensitivity = 40, all.stepRule = StepRule::paper;
 	all.seedRule = SeedRule::maximum, all.prune = false, all.pruneLength = 4, all.attach = false,
 	all.attachDistance = 1, all.sharpen = false, all.trim = false, all.straighten = false, all.correctBends = false;
+	all.freeSpace = false, all.freeSpaceTau = 0.4, all.freeSpaceWindow = 1, all.freeSpaceLeast = 3,
+	all.freeSpaceMargin = 2;
 	MapOptions from, to;
 	from.creation = TCreationOptions(all);
 	for (const auto& key : MapOptions::keys()) to.setOption(key, from.getOption(key));
 	EXPECT_TRUE(static_cast<const Options&>(to.creation) == all);
-	EXPECT_EQ(sizeof(Options), 17 * sizeof(double)) << "a field was added: add it to option_fields.h and above";
+	EXPECT_EQ(sizeof(Options), 21 * sizeof(double)) << "a field was added: add it to option_fields.h and above";
 }
 
 TEST(MapOptions, IniRoundTripIsExact)

@@ -44,6 +44,33 @@ TEST(Serialization, RoundTripKeepsContentAndBytes)
 	EXPECT_TRUE(samePolylines(copy.walls(), map.walls()));
 }
 
+TEST(Serialization, FreeSpaceIsKept)
+{
+	auto measurements = room(1.5, 1);
+	for (std::size_t i = 0; i < measurements.size(); i++) measurements[i].sensorX = 0.1, measurements[i].sensorY = 0.2;
+	std::vector<std::uint8_t> bytes, blind;
+	std::vector<FreeCellRecord> cells;
+	std::vector<Polyline> walls;
+	{
+		CRidgeMap2D map;
+		map.insertMeasurements(measurements);
+		map.insertFreeRays({{0.1, 0.2, 9, 0.3}, {0.1, 0.2, 0.3, 9}});
+		bytes = bytesOf(map);
+		cells = map.core().freeCells();
+		walls = map.walls();
+	}
+	ASSERT_GT(cells.size(), 100u);
+	CRidgeMap2D copy;
+	readInto(copy, bytes);
+	EXPECT_TRUE(copy.core().freeCells() == cells);
+	EXPECT_TRUE(samePolylines(copy.walls(), walls));
+	EXPECT_TRUE(bytesOf(copy) == bytes);
+	copy.eraseMeasurements(measurements);
+	copy.eraseFreeRays({{0.1, 0.2, 9, 0.3}, {0.1, 0.2, 0.3, 9}});
+	EXPECT_TRUE(copy.isEmpty());
+	EXPECT_TRUE(bytesOf(copy) == bytesOf(CRidgeMap2D()));
+}
+
 TEST(Serialization, EqualMapsGiveEqualBytes)
 {
 	auto measurements = room(1.5, 1);

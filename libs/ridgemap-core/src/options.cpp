@@ -29,7 +29,8 @@ auto tie(const Options& o)
 {
 	return std::tie(o.sigma, o.eps, o.lTol, o.dTol, o.cell, o.cutoff, o.tileEdge, o.maxStep, o.maxSensitivity,
 					o.minCurvature, o.stepRule, o.seedRule, o.prune, o.pruneLength, o.attach, o.attachDistance,
-					o.sharpen, o.trim, o.straighten, o.correctBends);
+					o.sharpen, o.trim, o.straighten, o.correctBends, o.freeSpace, o.freeSpaceTau, o.freeSpaceWindow,
+					o.freeSpaceLeast, o.freeSpaceMargin);
 }
 }  // namespace
 
@@ -59,6 +60,10 @@ void Options::validate() const
 	checkRange("minCurvature", minCurvature, 0, 1, " per sigma^2");
 	checkRange("pruneLength", pruneLength, 0, 100, " sigma");
 	checkRange("attachDistance", attachDistance, 0, 5, " sigma");
+	checkRange("freeSpaceTau", freeSpaceTau, 0, 1, "");
+	checkRange("freeSpaceWindow", freeSpaceWindow, 0, 10, " sigma");
+	checkRange("freeSpaceLeast", freeSpaceLeast, 0, 1e6, " passes");
+	checkRange("freeSpaceMargin", freeSpaceMargin, 1, 20, " sigma");
 }
 
 }  // namespace ridgemap

@@ -1,88 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// What changes a ridge map; what asks it is in ridge_map_queries.cpp.
 #include <ridgemap/ridge_map.h>
 
 #include <algorithm>
-#include <mutex>
 #include <set>
-#include <stdexcept>
 
-#include "chains.h"
-#include "field.h"
-#include "lattice.h"
-#include "stopwatch.h"
-#include "tile_update.h"
-#include "wall_maker.h"
+#include "ridge_map_impl.h"
 
 namespace ridgemap
 {
-struct RidgeMap::Impl
+namespace
 {
-	explicit Impl(const Options& o) : options((o.validate(), o)), lattice(o), wallMaker(o) {}
-	Impl(const Impl& o)
-		: options(o.options),
-		  threads(o.threads),
-		  version(o.version),
-		  lattice(o.lattice),
-		  chains(o.chains),
-		  wallMaker(o.wallMaker),
-		  untold(o.untold),
-		  ridges(o.ridges),
-		  walls(o.walls),
-		  ridgesMade(o.ridgesMade),
-		  wallsMade(o.wallsMade)
+/** Does both or, if the first throws, only what makes up for what was done before. */
+template <class Change, class Undo>
+void undoIfThrown(Change change, Undo undo)
+{
+	try
 	{
+		change();
 	}
-
-	/** Brings the polylines up to date for a query; what happened is told by the next RidgeMap::update(). */
-	void updateForQuery()
+	catch (...)
 	{
-		untold += update(threads);
-		if (untold.regions.size() <= 64) return;
-		UpdateRegion all;
-		for (const UpdateRegion& r : untold.regions)
-		{
-			all.box.extend(r.box);
-			all.tiles += r.tiles;
-		}
-		untold.regions.assign(1, all);
+		undo();
+		throw;
 	}
-
-	UpdateResult update(unsigned threadCount)
-	{
-		UpdateResult result;
-		if (!lattice.hasChanged() && !chains.hasCleared()) return result;
-		const std::vector<ReplacedTile> replaced = updateTiles(lattice, options, threadCount, result);
-		const Stopwatch watch;
-		chains.update(lattice.tiles(), replaced, result);
-		result.seconds.chains = watch.seconds();
-		ridgesMade = wallsMade = false;
-		return result;
-	}
-
-	void changed()
-	{
-		version++;
-		ridgesMade = wallsMade = false;
-	}
-
-	void requireSameOptions(const Impl& o, const char* what) const
-	{
-		if (options != o.options)
-			throw std::invalid_argument(std::string("ridge map: cannot ") + what +
-										" a map with other options; build both with the same options");
-	}
-
-	Options options;
-	unsigned threads = 1;
-	std::uint64_t version = 0;
-	Lattice lattice;
-	Chains chains;
-	WallMaker wallMaker;
-	UpdateResult untold;  ///< of updates that queries made
-	std::vector<Polyline> ridges, walls;
-	bool ridgesMade = false, wallsMade = false;
-	std::mutex mutex;  ///< guards everything that const queries make on demand
-};
+}
+}  // namespace
 
 StepTimes& StepTimes::operator+=(const StepTimes& o)
 {
@@ -137,13 +80,28 @@ const Options& RidgeMap::options() const
 
 void RidgeMap::insert(const std::vector<Measurement>& measurements)
 {
-	impl_->lattice.insert(measurements);
+	// First what can be undone without a doubt.
+	impl_->freeSpace.insert(measurements);
+	undoIfThrown([&] { impl_->lattice.insert(measurements); }, [&] { impl_->freeSpace.erase(measurements); });
 	impl_->changed();
 }
 
 void RidgeMap::erase(const std::vector<Measurement>& measurements)
 {
-	impl_->lattice.erase(measurements);
+	impl_->freeSpace.erase(measurements);
+	undoIfThrown([&] { impl_->lattice.erase(measurements); }, [&] { impl_->freeSpace.insert(measurements); });
+	impl_->changed();
+}
+
+void RidgeMap::insertFreeRays(const std::vector<FreeRay>& rays)
+{
+	impl_->freeSpace.insert(rays);
+	impl_->changed();
+}
+
+void RidgeMap::eraseFreeRays(const std::vector<FreeRay>& rays)
+{
+	impl_->freeSpace.erase(rays);
 	impl_->changed();
 }
 
@@ -152,7 +110,9 @@ void RidgeMap::merge(const RidgeMap& other)
 	impl_->requireSameOptions(*other.impl_, "merge with");
 	{
 		const std::lock_guard<std::mutex> lock(other.impl_->mutex);
-		impl_->lattice.merge(other.impl_->lattice);
+		const FreeSpace theirs = other.impl_->freeSpace;
+		impl_->freeSpace.merge(theirs);
+		undoIfThrown([&] { impl_->lattice.merge(other.impl_->lattice); }, [&] { impl_->freeSpace.subtract(theirs); });
 	}
 	impl_->changed();
 }
@@ -162,7 +122,9 @@ void RidgeMap::subtract(const RidgeMap& other)
 	impl_->requireSameOptions(*other.impl_, "subtract");
 	{
 		const std::lock_guard<std::mutex> lock(other.impl_->mutex);
-		impl_->lattice.subtract(other.impl_->lattice);
+		const FreeSpace theirs = other.impl_->freeSpace;
+		impl_->freeSpace.subtract(theirs);
+		undoIfThrown([&] { impl_->lattice.subtract(other.impl_->lattice); }, [&] { impl_->freeSpace.merge(theirs); });
 	}
 	impl_->changed();
 }
@@ -170,13 +132,14 @@ void RidgeMap::subtract(const RidgeMap& other)
 void RidgeMap::clear()
 {
 	impl_->lattice.clear();
+	impl_->freeSpace.clear();
 	impl_->chains.clear();
 	impl_->changed();
 }
 
 bool RidgeMap::empty() const
 {
-	return impl_->lattice.measurements() == 0;
+	return impl_->lattice.measurements() == 0 && impl_->freeSpace.empty();
 }
 
 UpdateResult RidgeMap::update(unsigned threads)
@@ -193,127 +156,15 @@ void RidgeMap::setThreads(unsigned threads)
 	impl_->threads = threads > 0 ? threads : 1;
 }
 
-const std::vector<Polyline>& RidgeMap::ridges() const
-{
-	Impl& m = *impl_;
-	const std::lock_guard<std::mutex> lock(m.mutex);
-	m.updateForQuery();
-	if (!m.ridgesMade)
-	{
-		m.ridges.clear();
-		for (const LinePtr& line : m.chains.lines(m.lattice.tiles(), m.lattice.frame())) m.ridges.push_back(*line);
-		m.ridgesMade = true;
-	}
-	return m.ridges;
-}
-
-Polyline RidgeMap::ridge(PolylineId id) const
-{
-	Impl& m = *impl_;
-	const std::lock_guard<std::mutex> lock(m.mutex);
-	return m.chains.polyline(id, m.lattice.tiles(), m.lattice.frame());
-}
-
-const std::vector<Polyline>& RidgeMap::walls() const
-{
-	Impl& m = *impl_;
-	const std::lock_guard<std::mutex> lock(m.mutex);
-	m.updateForQuery();
-	if (!m.wallsMade)
-	{
-		m.walls = m.wallMaker.make(m.chains.lines(m.lattice.tiles(), m.lattice.frame()));
-		m.wallsMade = true;
-	}
-	return m.walls;
-}
-
-std::uint64_t RidgeMap::version() const
-{
-	return impl_->version;
-}
-
-OccupancySample RidgeMap::occupancy(const Point2& p) const
-{
-	Impl& m = *impl_;
-	const std::lock_guard<std::mutex> lock(m.mutex);
-	m.updateForQuery();
-	OccupancySample o;
-	if (!(std::abs(p.x) <= maxCoordinate && std::abs(p.y) <= maxCoordinate)) return o;
-	const KernelSums s = sumOfCells(m.lattice.tiles(), m.options, m.lattice.frame().toLattice(p));
-
-	// Rotate to the map frame: derivatives along the map's axes, which in the lattice frame are x' and y'.
-	const Vec2 a = Frame::rotateToLattice({1, 0}), b = Frame::rotateToLattice({0, 1});
-	const auto second = [&](Vec2 u, Vec2 v)
-	{ return s.hxx * u.x * v.x + s.hxy * (u.x * v.y + u.y * v.x) + s.hyy * u.y * v.y; };
-	const auto third = [&](Vec2 u, Vec2 v, Vec2 w)
-	{
-		return u.x * (s.txxx * v.x * w.x + s.txxy * (v.x * w.y + v.y * w.x) + s.txyy * v.y * w.y) +
-			   u.y * (s.txxy * v.x * w.x + s.txyy * (v.x * w.y + v.y * w.x) + s.tyyy * v.y * w.y);
-	};
-	const double i1 = 1 / m.options.sigma, i2 = i1 * i1, i3 = i2 * i1;
-	o.value = s.value;
-	o.gx = i1 * dot({s.gx, s.gy}, a);
-	o.gy = i1 * dot({s.gx, s.gy}, b);
-	o.hxx = i2 * second(a, a);
-	o.hxy = i2 * second(a, b);
-	o.hyy = i2 * second(b, b);
-	o.txxx = i3 * third(a, a, a);
-	o.txxy = i3 * third(a, a, b);
-	o.txyy = i3 * third(a, b, b);
-	o.tyyy = i3 * third(b, b, b);
-	return o;
-}
-
-Box2 RidgeMap::boundingBox() const
-{
-	const std::lock_guard<std::mutex> lock(impl_->mutex);
-	return impl_->lattice.boundingBox();
-}
-
-MapStatistics RidgeMap::statistics() const
-{
-	Impl& m = *impl_;
-	const std::lock_guard<std::mutex> lock(m.mutex);
-	m.updateForQuery();
-	const TileStore& tiles = m.lattice.tiles();
-	MapStatistics s;
-	s.measurements = m.lattice.measurements();
-	s.bytes = sizeof(Impl);
-	for (const TileKey& key : tiles.keys())
-	{
-		const Tile& tile = *tiles.find(key);
-		s.tiles++;
-		s.cells += tile.cellCount;
-		s.bytes += sizeof(Tile);
-		for (const Block& b : tile.blocks) s.bytes += b.memoryBytes();
-		for (const Edge* e : {&tile.bottom, &tile.left})
-			s.bytes += e->path.capacity() * sizeof(Vec2) + e->crossings.capacity() * sizeof(Crossing);
-		s.bytes += tile.stubs.capacity() * sizeof(PieceEnd);
-		for (const Piece& p : tile.pieces)
-		{
-			s.bytes += sizeof(Piece) + p.nodes.capacity() * sizeof(RidgeNode);
-			s.stops[std::size_t(p.start.reason)]++;
-			s.stops[std::size_t(p.end.reason)]++;
-		}
-		s.unstitchedCrossings += countUnstitched(tiles, key);
-	}
-	return s;
-}
-
-std::vector<CellRecord> RidgeMap::cells() const
-{
-	const std::lock_guard<std::mutex> lock(impl_->mutex);
-	return impl_->lattice.cells();
-}
-std::vector<Point2> RidgeMap::cellCentroids() const
-{
-	const std::lock_guard<std::mutex> lock(impl_->mutex);
-	return impl_->lattice.centroids();
-}
-
 void RidgeMap::insertCells(const std::vector<CellRecord>& cells)
 {
 	impl_->lattice.insertCells(cells);
+	impl_->changed();
+}
+
+void RidgeMap::insertFreeCells(const std::vector<FreeCellRecord>& cells)
+{
+	impl_->freeSpace.insertCells(cells);
 	impl_->changed();
 }
 

@@ -51,6 +51,8 @@ const char* toString(StopReason reason)
 			return "no convergence";
 		case StopReason::workLimit:
 			return "work limit";
+		case StopReason::passedThrough:
+			return "rays passed through";
 		case StopReason::count_:
 			break;
 	}

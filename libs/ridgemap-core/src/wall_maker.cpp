@@ -26,16 +26,23 @@ bool isLed(const Polyline& line, bool back)
 }  // namespace
 
 WallMaker::WallMaker(const Options& options)
-	: options_(options), joiners_{EndJoiner(options), EndJoiner(options), EndJoiner(options)}, grid_(4 * options.sigma)
+	: options_(options),
+	  clear_(options),
+	  withdraw_(options),
+	  joiners_{EndJoiner(options), EndJoiner(options), EndJoiner(options)},
+	  grid_(4 * options.sigma)
 {
 }
 
-std::vector<Polyline> WallMaker::make(const Lines& ridges)
+std::vector<Polyline> WallMaker::make(const Lines& ridges, const FreeSpace& space)
 {
-	// A pass that cuts lines belongs before or behind the pruning in shape(), one that joins or moves ends behind.
-	Lines lines = shape(ridges);
+	// What rays passed through goes before lines are pruned and joined, so that no other line is led to it.
+	Lines lines = clear_.cut(cutRidges(ridges), space, false);
+	lines = shape(lines);
 	if (options_.attach) lines = joinEnds(lines);
 	if (options_.trim) lines = trim(lines);
+	// Bridges, leads and corners in free space are withdrawn while vertices still know the density.
+	lines = withdraw_.cut(lines, space, options_.prune);
 	lines = straighten(lines);
 	if (options_.attach) lines = seat(lines);
 
@@ -44,25 +51,36 @@ std::vector<Polyline> WallMaker::make(const Lines& ridges)
 	return walls;
 }
 
-/** What concerns one ridge only. Corners come before ends are joined: these are then led to where the walls are. */
-Lines WallMaker::shape(const Lines& ridges)
+/** Without weak stretches. */
+Lines WallMaker::cutRidges(const Lines& ridges)
 {
+	if (!(options_.minCurvature > 0)) return ridges;
 	Lines result;
 	for (const LinePtr& ridge : ridges)
 	{
-		const auto passes = [&]
+		const auto cut = [&]
 		{
-			Lines shaped;
-			std::vector<Polyline> parts{*ridge};
-			if (options_.minCurvature > 0) parts = cutWeak(*ridge, options_);
-			for (const Polyline& part : parts)
-				if (!options_.prune || !isShort(part, options_))
-					shaped.push_back(
-						std::make_shared<const Polyline>(options_.sharpen ? sharpenCorners(part, options_) : part));
-			return shaped;
+			Lines parts;
+			for (Polyline& part : cutWeak(*ridge, options_))
+				parts.push_back(std::make_shared<const Polyline>(std::move(part)));
+			return parts;
 		};
-		const Lines& shaped = shaped_.get(MemoKey().add(ridge), passes);
-		result.insert(result.end(), shaped.begin(), shaped.end());
+		const Lines& parts = strong_.get(MemoKey().add(ridge), cut);
+		result.insert(result.end(), parts.begin(), parts.end());
+	}
+	strong_.forgetUnused();
+	return result;
+}
+
+/** Corners come before ends are joined: these are then led to where the walls are. */
+Lines WallMaker::shape(const Lines& lines)
+{
+	Lines result;
+	for (const LinePtr& line : lines)
+	{
+		if (options_.prune && isShort(*line, options_)) continue;
+		const auto sharpened = [&] { return std::make_shared<const Polyline>(sharpenCorners(*line, options_)); };
+		result.push_back(options_.sharpen ? shaped_.get(MemoKey().add(line), sharpened) : line);
 	}
 	shaped_.forgetUnused();
 	return result;

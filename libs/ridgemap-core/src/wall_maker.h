@@ -7,6 +7,7 @@
 #include <array>
 #include <vector>
 
+#include "free_cut.h"
 #include "join_ends.h"
 #include "line_grid.h"
 #include "memo.h"
@@ -21,15 +22,16 @@ class WallMaker
  public:
 	explicit WallMaker(const Options& options);
 
-	/** The walls of these ridges, given in canonical order. Lines that are the same object as in the last call are
-	 * taken to be unchanged. */
-	std::vector<Polyline> make(const Lines& ridges);
+	/** The walls of these ridges, given in canonical order, without what rays passed through. Lines that are the same
+	 * object as in the last call are taken to be unchanged. */
+	std::vector<Polyline> make(const Lines& ridges, const FreeSpace& space);
 
 	/** Number of lines that passes were applied to so far. */
 	std::size_t computed() const { return shaped_.computed() + trimmed_.computed() + straightened_.computed(); }
 
  private:
-	Lines shape(const Lines& ridges);
+	Lines cutRidges(const Lines& ridges);
+	Lines shape(const Lines& lines);
 	Lines joinEnds(const Lines& lines);
 	Lines trim(const Lines& lines);
 	Lines straighten(const Lines& lines);
@@ -37,7 +39,9 @@ class WallMaker
 	LinePtr seated(const LinePtr& line, const std::array<std::vector<int>, 2>& near, const Lines& lines) const;
 
 	Options options_;
-	Memo<Lines> shaped_;
+	Memo<Lines> strong_;
+	FreeCutter clear_, withdraw_;
+	Memo<LinePtr> shaped_;
 	std::array<EndJoiner, 3> joiners_;  ///< ends that a lead has come close to follow in further rounds
 	Memo<LinePtr> trimmed_, straightened_, seated_;
 	LineGrid grid_;  ///< of the lines that led ends are seated on

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "walls.h"
 
+#include "free_cut.h"
 #include "wall_maker.h"
 
 namespace ridgemap
@@ -44,11 +45,25 @@ bool isShort(const Polyline& line, const Options& options)
 	return line.length() < options.pruneLength * options.sigma;
 }
 
-std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Options& options)
+std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const FreeSpace& space, const Options& options)
 {
 	Lines lines;
 	for (const Polyline& r : ridges) lines.push_back(std::make_shared<const Polyline>(r));
-	return WallMaker(options).make(lines);
+	return WallMaker(options).make(lines, space);
+}
+
+std::vector<Polyline> clearedFromWalls(const std::vector<Polyline>& ridges, const FreeSpace& space,
+									   const Options& options)
+{
+	std::vector<Polyline> removed;
+	for (const Polyline& ridge : ridges)
+	{
+		std::vector<Polyline> parts{ridge};
+		if (options.minCurvature > 0) parts = cutWeak(ridge, options);
+		for (const Polyline& part : parts)
+			if (!options.prune || !isShort(part, options)) cutFree({part}, space, options, &removed);
+	}
+	return removed;
 }
 
 }  // namespace ridgemap

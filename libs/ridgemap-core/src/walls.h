@@ -10,6 +10,8 @@
 
 namespace ridgemap
 {
+class FreeSpace;
+
 /** Leaves out stretches whose vertices are less curved across than `minCurvature`: rungs between walls, which the ridge
  * criterion admits but no surface made. */
 std::vector<Polyline> cutWeak(const Polyline& line, const Options& options);
@@ -38,6 +40,10 @@ Polyline straightenRuns(const Polyline& line, const Options& options);
 Polyline correctBends(const Polyline& line, const Options& options);
 
 /** All passes that the options ask for, in order, from scratch. */
-std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const Options& options);
+std::vector<Polyline> makeWalls(const std::vector<Polyline>& ridges, const FreeSpace& space, const Options& options);
+
+/** What the first cut along free space leaves out of these, as far as it was long enough for a wall. */
+std::vector<Polyline> clearedFromWalls(const std::vector<Polyline>& ridges, const FreeSpace& space,
+									   const Options& options);
 
 }  // namespace ridgemap

@@ -30,6 +30,18 @@ void CRidgeMap2D::eraseMeasurements(const std::vector<Measurement>& measurements
 	change(state_, [&](RidgeMap& map) { map.erase(measurements); });
 }
 
+void CRidgeMap2D::insertFreeRays(const std::vector<FreeRay>& rays)
+{
+	throwIfFrozen("cannot insert rays");
+	change(state_, [&](RidgeMap& map) { map.insertFreeRays(rays); });
+}
+
+void CRidgeMap2D::eraseFreeRays(const std::vector<FreeRay>& rays)
+{
+	throwIfFrozen("cannot erase rays");
+	change(state_, [&](RidgeMap& map) { map.eraseFreeRays(rays); });
+}
+
 void CRidgeMap2D::merge(const CRidgeMap2D& other)
 {
 	throwIfFrozen("cannot merge another map");

@@ -16,12 +16,13 @@
 // parameters of MRPT, all options as pairs of texts, and the lattice cells in canonical order, each as differences to
 // the one before. Polylines are a pure function of these, so they are traced again when they are asked for.
 // Version 1 is a frozen map: the polylines instead of the cells, their points as differences, too, in units of 2^-20 m.
+// Version 2 is version 0 with the free-space counters behind the lattice cells, if rays passed anywhere.
 
 namespace ridgemap
 {
 namespace
 {
-constexpr std::uint8_t frozenVersion = 1;
+constexpr std::uint8_t plainVersion = 0, frozenVersion = 1, freeSpaceVersion = 2;
 
 void writeOptions(ByteWriter& out, const MapOptions& options)
 {
@@ -86,6 +87,38 @@ std::vector<CellRecord> readCells(ByteReader& in)
 	return cells;
 }
 
+void writeFreeCells(ByteWriter& out, const std::vector<FreeCellRecord>& cells)
+{
+	out.number(cells.size());
+	std::int64_t cx = 0, cy = 0;
+	for (const auto& c : cells)
+	{
+		out.signedNumber(c.cx - cx);
+		out.signedNumber(c.cy - cy);
+		out.number(c.n);
+		out.signedNumber(c.a);
+		out.signedNumber(c.b);
+		cx = c.cx;
+		cy = c.cy;
+	}
+}
+
+std::vector<FreeCellRecord> readFreeCells(ByteReader& in)
+{
+	constexpr std::size_t leastBytes = 5;
+	std::vector<FreeCellRecord> cells(in.count(leastBytes));
+	std::uint64_t cx = 0, cy = 0;
+	for (auto& c : cells)
+	{
+		c.cx = std::int64_t(cx += std::uint64_t(in.signedNumber()));
+		c.cy = std::int64_t(cy += std::uint64_t(in.signedNumber()));
+		c.n = in.number();
+		c.a = in.signedNumber();
+		c.b = in.signedNumber();
+	}
+	return cells;
+}
+
 template <std::size_t N>
 void writeFixed(mrpt::serialization::CArchive& out, std::uint64_t v)
 {
@@ -134,13 +167,15 @@ void expectEnd(const ByteReader& in)
 	if (in.left() != 0) throw std::runtime_error("stored ridge map: there are data behind the end of the map");
 }
 
-std::shared_ptr<MapState> readState(ByteReader& in, std::uint64_t key, const Options& options)
+std::shared_ptr<MapState> readState(ByteReader& in, std::uint64_t key, const Options& options, bool withFreeSpace)
 {
 	const auto cells = readCells(in);
+	const auto freeCells = withFreeSpace ? readFreeCells(in) : std::vector<FreeCellRecord>();
 	expectEnd(in);
-	if (auto living = findState(key, options, cells)) return living;
+	if (auto living = findState(key, options, cells, freeCells)) return living;
 	auto state = std::make_shared<MapState>(options);
 	state->core.insertCells(cells);
+	state->core.insertFreeCells(freeCells);
 	return state;
 }
 
@@ -157,7 +192,7 @@ std::shared_ptr<MapState> readFrozenState(ByteReader& in, std::uint64_t key, con
 
 uint8_t CRidgeMap2D::serializeGetVersion() const
 {
-	return isFrozen() ? frozenVersion : 0;
+	return isFrozen() ? frozenVersion : core().passedAnywhere() ? freeSpaceVersion : plainVersion;
 }
 
 void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
@@ -170,7 +205,10 @@ void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 	if (isFrozen())
 		writeFrozen(content, *state_->frozen);
 	else
+	{
 		writeCells(content, core().cells());
+		if (core().passedAnywhere()) writeFreeCells(content, core().freeCells());
+	}
 	const auto& bytes = content.bytes();
 	writeFixed<8>(out, bytes.size());
 	out.WriteBuffer(bytes.data(), bytes.size());
@@ -181,9 +219,9 @@ void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 
 void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
 {
-	if (version > frozenVersion)
+	if (version > freeSpaceVersion)
 		throw std::runtime_error("stored ridge map: version " + std::to_string(version) +
-								 " is newer than this library, which reads versions 0 and 1");
+								 " is newer than this library, which reads versions 0 to 2");
 	const std::vector<std::uint8_t> bytes = readBytes(in, readFixed<8>(in));
 	const std::uint32_t crc = crc32(bytes.data(), bytes.size());
 	if (readFixed<4>(in) != crc)
@@ -194,8 +232,9 @@ void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t versi
 	loaded.genericMapParams.enableSaveAs3DObject = as3D;
 	loaded.genericMapParams.enableObservationLikelihood = likelihood;
 	loaded.genericMapParams.enableObservationInsertion = insertion;
-	loaded.state_ = version == frozenVersion ? readFrozenState(content, contentKey(crc, bytes), loaded.options())
-											 : readState(content, contentKey(crc, bytes), loaded.options());
+	loaded.state_ = version == frozenVersion
+						? readFrozenState(content, contentKey(crc, bytes), loaded.options())
+						: readState(content, contentKey(crc, bytes), loaded.options(), version == freeSpaceVersion);
 	swap(loaded);
 }
 

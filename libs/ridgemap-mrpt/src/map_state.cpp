@@ -79,13 +79,14 @@ std::shared_ptr<MapState> findFrozenState(std::uint64_t key, const Options& opti
 	return found && found->frozen && samePolylines(*found->frozen, lines) ? found : nullptr;
 }
 
-std::shared_ptr<MapState> findState(std::uint64_t key, const Options& options, const std::vector<CellRecord>& cells)
+std::shared_ptr<MapState> findState(std::uint64_t key, const Options& options, const std::vector<CellRecord>& cells,
+									const std::vector<FreeCellRecord>& freeCells)
 {
 	auto found = findByKey(key, options);
 	if (!found || found->frozen) return nullptr;
 	const auto held = found->core.cells();
 	if (held.size() != cells.size() || !std::equal(held.begin(), held.end(), cells.begin(), sameCell)) return nullptr;
-	return found;
+	return found->core.freeCells() == freeCells ? found : nullptr;
 }
 
 }  // namespace ridgemap

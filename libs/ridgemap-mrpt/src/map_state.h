@@ -36,7 +36,8 @@ MapState& own(std::shared_ptr<MapState>& state);
 void rememberState(std::uint64_t key, const std::shared_ptr<MapState>& state);
 
 /** A living state with exactly these contents, or null. */
-std::shared_ptr<MapState> findState(std::uint64_t key, const Options& options, const std::vector<CellRecord>& cells);
+std::shared_ptr<MapState> findState(std::uint64_t key, const Options& options, const std::vector<CellRecord>& cells,
+									const std::vector<FreeCellRecord>& freeCells);
 
 /** A living frozen state with exactly these polylines, or null. */
 std::shared_ptr<MapState> findFrozenState(std::uint64_t key, const Options& options,

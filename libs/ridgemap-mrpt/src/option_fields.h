@@ -77,6 +77,15 @@ void visitFields(const TCreationOptions*, O& o, V&& visit)
 		  o.straighten);
 	visit(FieldInfo{"correctBends", "", "walls: move bent stretches out, as ridges lie inside of bends"},
 		  o.correctBends);
+	visit(FieldInfo{"freeSpace", "", "count the rays that pass; walls: leave out what they pass through"}, o.freeSpace);
+	visit(FieldInfo{"freeSpaceTau", "", "walls: least share of hits in hits and passes; lower keeps more", 0, 1},
+		  o.freeSpaceTau);
+	visit(FieldInfo{"freeSpaceWindow", "sigma", "walls: hits and passes are summed this far to both sides", 0, 10},
+		  o.freeSpaceWindow);
+	visit(FieldInfo{"freeSpaceLeast", "", "walls: with fewer passes than this nothing is left out", 0, 1e6},
+		  o.freeSpaceLeast);
+	visit(FieldInfo{"freeSpaceMargin", "sigma", "rays are counted up to this far before their ends", 1, 20},
+		  o.freeSpaceMargin);
 }
 
 template <class O, class V>

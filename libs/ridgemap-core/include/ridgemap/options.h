@@ -53,6 +53,12 @@ struct Options
 	bool correctBends =
 		true;  ///< walls: move bent stretches out to where the surface is, as ridges lie inside of bends
 
+	bool freeSpace = true;         ///< count the rays that pass; walls: leave out what they pass through
+	double freeSpaceTau = 0.5;     ///< walls: least share of hits in hits and passes, 0 .. 1; lower keeps more
+	double freeSpaceWindow = 1.5;  ///< walls: hits and passes are summed this far to both sides [sigma], 0 .. 10
+	double freeSpaceLeast = 2;     ///< walls: with fewer passes than this nothing is left out, 0 .. 1e6
+	double freeSpaceMargin = 2.5;  ///< rays are counted up to this far before their ends [sigma], 1 .. 20
+
 	/** Throws std::invalid_argument with the name, the value and the allowed range of the first field that is off. */
 	void validate() const;
 
@@ -67,5 +73,9 @@ struct Options
 constexpr double maxCoordinate = 1e6;
 /** Largest number of measurements in one lattice cell. */
 constexpr std::uint64_t maxCountPerCell = std::uint64_t(1) << 31;
+/** Largest number of rays through one cell of the free-space counters. */
+constexpr std::uint64_t maxPassesPerCell = std::uint64_t(1) << 48;
+/** Rays longer than this are counted up to here only [sigma]. */
+constexpr double maxRayLength = 1e5;
 
 }  // namespace ridgemap

@@ -18,14 +18,21 @@ struct Point2
 };
 
 /** One measured surface point (mu_i, paper section III) and, where it is known, the sensor that saw it.
- * The sensor position is not used by the plain density; it is carried for densities per viewing side and for
- * free-space evidence. */
+ * The sensor position is not used by the density; it tells which way the ray took, which was free (Options::freeSpace).
+ * Without it, or with the sensor at the measured point, the measurement casts no ray. */
 struct Measurement
 {
 	double x = 0;                                               ///< measured point, map frame [m]
 	double y = 0;                                               ///< measured point, map frame [m]
 	double sensorX = std::numeric_limits<double>::quiet_NaN();  ///< sensor position, map frame [m]; NaN: unknown
 	double sensorY = std::numeric_limits<double>::quiet_NaN();  ///< sensor position, map frame [m]; NaN: unknown
+};
+
+/** A ray that met nothing: free from the sensor to a point, map frame [m]. */
+struct FreeRay
+{
+	double sensorX = 0, sensorY = 0;  ///< where it starts
+	double x = 0, y = 0;              ///< how far it is known to be free
 };
 
 /** Axis-aligned box in the map frame [m]; empty while min > max. */
@@ -51,6 +58,7 @@ enum class StopReason : std::uint8_t
 	unregisteredExit,  ///< left its tile where the border has no crossing
 	noConvergence,     ///< the relaxation did not converge at the smallest step
 	workLimit,         ///< the bound on nodes per trace was reached
+	passedThrough,     ///< walls: rays passed through what follows
 	count_             ///< number of reasons, not a reason
 };
 

@@ -81,6 +81,9 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	void insertMeasurements(const std::vector<Measurement>& measurements);
 	/** Takes out measurements that were inserted before; errors as in RidgeMap::erase(). */
 	void eraseMeasurements(const std::vector<Measurement>& measurements);
+	/** Adds and takes out rays that met nothing; errors as in RidgeMap::insertFreeRays() and eraseFreeRays(). */
+	void insertFreeRays(const std::vector<FreeRay>& rays);
+	void eraseFreeRays(const std::vector<FreeRay>& rays);
 	/** Takes out an observation that was inserted at this pose before: the map is then what it would be without it, to
 	 * the bit. Returns false if the observation holds no measurement (insertObservation() returned false, too). Throws
 	 * std::exception if the map does not hold its measurements, with the map as before. */
