@@ -118,12 +118,12 @@ Finding cornerError(const Setting& setting)
 	for (std::size_t i = 0; i < sigmas.size(); i++)
 		plot += format(
 			"%s'fig4.csv' u 2:($1==%g?$3:1/0):4 skip 1 w yerrorlines pt 7 ps 1.5 lc rgb '%s' t 'ridges, sigma %g m', "
-			"'' u 2:($1==%g?$5:1/0):6 skip 1 w yerrorlines pt 4 ps 1.5 dt 3 lc rgb '%s' t 'walls'",
+			"'' u 2:($1==%g?$5:1/0):6 skip 1 w yerrorlines pt 4 ps 1.5 dt 2 lc rgb '%s' t 'walls'",
 			i > 0 ? ", " : "plot ", sigmas[i], colour[i], sigmas[i], sigmas[i], colour[i]);
 	drawChart(setting, "fig4",
 			  format("set logscale xy\nset xlabel 'measurements per metre of wall'\n"
-					 "set ylabel 'RMSD within 1 m of the corner [mm]'\nset xrange [40:7000]\nset yrange [2:150]\nset "
-					 "ytics (2,5,10,20,50,100)\nset "
+					 "set ylabel 'RMSD within 1 m of the corner [mm]'\nset xrange [40:7000]\nset yrange [0.3:200]\nset "
+					 "ytics (0.5,1,2,5,10,20,50,100)\nset "
 					 "key top right maxrows 3\n"
 					 "set title 'corner of 90 degrees, noise %g m, mean of %d sets'\n%s",
 					 noise, sets, plot.c_str()));
