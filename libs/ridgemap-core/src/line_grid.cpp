@@ -38,36 +38,51 @@ std::vector<std::uint64_t> LineGrid::cellsOf(const Polyline& line) const
 	return keys;
 }
 
+int LineGrid::slotOf(const LinePtr& line)
+{
+	const auto known = slotOfLine_.find(line.get());
+	if (known != slotOfLine_.end()) return known->second;
+	int slot = int(slots_.size());
+	if (free_.empty())
+		slots_.emplace_back();
+	else
+	{
+		slot = free_.back();
+		free_.pop_back();
+	}
+	Slot& s = slots_[std::size_t(slot)];
+	s.line = line;
+	s.keys = cellsOf(*line);
+	for (const std::uint64_t k : s.keys) cells_[k].push_back(slot);
+	slotOfLine_.emplace(line.get(), slot);
+	return slot;
+}
+
+void LineGrid::release(int slot)
+{
+	Slot& s = slots_[std::size_t(slot)];
+	for (const std::uint64_t k : s.keys)
+	{
+		const auto cell = cells_.find(k);
+		cell->second.erase(std::find(cell->second.begin(), cell->second.end(), slot));
+		if (cell->second.empty()) cells_.erase(cell);
+	}
+	slotOfLine_.erase(s.line.get());
+	s = Slot();
+	free_.push_back(slot);
+}
+
 void LineGrid::follow(const Lines& lines)
 {
-	for (auto& entry : lines_) entry.second.present = false;
+	for (Slot& s : slots_) s.present = false;
 	for (std::size_t i = 0; i < lines.size(); i++)
 	{
-		Cells& c = lines_[lines[i].get()];
-		if (!c.line)
-		{
-			c.line = lines[i];
-			c.keys = cellsOf(*lines[i]);
-			for (const std::uint64_t k : c.keys) cells_[k].push_back(lines[i].get());
-		}
-		c.number = int(i);
-		c.present = true;
+		Slot& s = slots_[std::size_t(slotOf(lines[i]))];
+		s.number = int(i);
+		s.present = true;
 	}
-	for (auto it = lines_.begin(); it != lines_.end();)
-	{
-		if (it->second.present)
-		{
-			++it;
-			continue;
-		}
-		for (const std::uint64_t k : it->second.keys)
-		{
-			std::vector<const Polyline*>& in = cells_[k];
-			in.erase(std::find(in.begin(), in.end(), it->first));
-			if (in.empty()) cells_.erase(k);
-		}
-		it = lines_.erase(it);
-	}
+	for (std::size_t slot = 0; slot < slots_.size(); slot++)
+		if (slots_[slot].line && !slots_[slot].present) release(int(slot));
 }
 
 std::vector<int> LineGrid::near(const Point2& p, double distance) const
@@ -80,7 +95,7 @@ std::vector<int> LineGrid::near(const Point2& p, double distance) const
 		{
 			const auto cell = cells_.find(cellKey(x, y));
 			if (cell == cells_.end()) continue;
-			for (const Polyline* line : cell->second) result.push_back(lines_.at(line).number);
+			for (const int slot : cell->second) result.push_back(slots_[std::size_t(slot)].number);
 		}
 	std::sort(result.begin(), result.end());
 	result.erase(std::unique(result.begin(), result.end()), result.end());

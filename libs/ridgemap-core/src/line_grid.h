@@ -24,19 +24,24 @@ class LineGrid
 	std::vector<int> near(const Point2& p, double distance) const;
 
  private:
-	struct Cells
+	/** A line that is followed; a slot is used again when its line has gone. */
+	struct Slot
 	{
 		LinePtr line;
-		std::vector<std::uint64_t> keys;
+		std::vector<std::uint64_t> keys;  ///< cells that it passes
 		int number = 0;
 		bool present = false;
 	};
+	int slotOf(const LinePtr& line);
+	void release(int slot);
 	std::uint64_t key(double x, double y) const;
 	std::vector<std::uint64_t> cellsOf(const Polyline& line) const;
 
 	double cell_;
-	std::unordered_map<const Polyline*, Cells> lines_;
-	std::unordered_map<std::uint64_t, std::vector<const Polyline*>> cells_;
+	std::vector<Slot> slots_;
+	std::vector<int> free_;
+	std::unordered_map<const Polyline*, int> slotOfLine_;
+	std::unordered_map<std::uint64_t, std::vector<int>> cells_;  ///< slots of the lines that pass
 };
 
 }  // namespace ridgemap

@@ -153,7 +153,8 @@ class Straightener
 			const Section& s = sections_.back();
 			drawBoundary(s.last, s.runs.empty() ? nullptr : &s.runs.back(), nullptr);
 		}
-		return std::move(result_);
+		const std::size_t least = line_.closed ? 4 : 2;
+		return result_.points.size() < least ? line_ : result_;
 	}
 
 	/** The run that leads to the first vertex of a section. */
