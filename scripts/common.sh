@@ -8,7 +8,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 {
 	build_packages=(g++ cmake make ninja-build ccache libmrpt-dev libmrpt-tclap-dev libopencv-dev zlib1g-dev
 		libgdal-dev libtinyxml2-dev libgtest-dev)
-	test_packages=(libbenchmark-dev mrpt-common mrpt-apps gdal-bin clang-format shellcheck git)
+	test_packages=(libbenchmark-dev mrpt-common mrpt-apps gdal-bin clang-format shellcheck git
+		xvfb xdotool imagemagick)
 	demo_packages=(mrpt-common)
 	paper_packages=(gnuplot-nox)
 }

@@ -49,7 +49,7 @@ sed 's/icpClassic/icpLevenbergMarquardt/' "$scratch/points.ini" >"$scratch/lm.in
 quiet "$demo" >"$scratch/demo.ini"
 # set_variant <number> <sed program>: a perturbed variant.
 set_variant() { sed -E "$2" "$scratch/tuned.ini" >"$scratch/variant$1.ini"; }
-set_variant 1 's/^corresponding_points_decimation.*/corresponding_points_decimation = 3/'
+set_variant 1 's/^corresponding_points_decimation.*/corresponding_points_decimation = 2/'
 set_variant 2 's/^sigma .*/&\neps = 0.002/'
 set_variant 3 's/^rawlog_offset.*/rawlog_offset = 0/; s/^insertionLinDistance.*/insertionLinDistance = 0.6/'
 set_variant 4 's/^thresholdDist.*/thresholdDist = 1.1/'

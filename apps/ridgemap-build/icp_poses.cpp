@@ -21,7 +21,7 @@ void setDefaults(mrpt::slam::CMetricMapBuilderICP& slam)
 	icp.thresholdAng = mrpt::DEG2RAD(10.0);
 	icp.ALFA = 0.5;
 	icp.smallestThresholdDist = 0.10;
-	icp.corresponding_points_decimation = 2;
+	icp.corresponding_points_decimation = 1;
 
 	auto& options = slam.ICP_options;
 	options.matchAgainstTheGrid = false;

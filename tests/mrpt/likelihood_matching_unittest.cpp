@@ -28,6 +28,7 @@ CRidgeMap2D makeFeetMap()
 {
 	CRidgeMap2D map = makeRoomMap();
 	map.matchingOptions.method = MatchingMethod::feet;
+	map.matchingOptions.matchTarget = LikelihoodTarget::walls;
 	map.matchingOptions.fallback = false;
 	map.matchingOptions.maxGate = 100;
 	return map;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <thread>
 
 using namespace ridgemap;
 
@@ -136,4 +137,54 @@ TEST(PolylineIndex, DegenerateSegmentsAndEqualDistances)
 	EXPECT_EQ(index.nearest({0.1, -0.1})->polyline, 0u);
 	EXPECT_EQ(index.nearest({0, 2})->segment, 0u) << "the first of two segments that share the foot";
 	EXPECT_EQ(index.nearest({0, 2})->distance, 1);
+}
+
+TEST(PolylineIndex, ManyQueriesAtOnceGiveTheSameDistances)
+{
+	std::mt19937 random(11);
+	std::uniform_real_distribution<double> unit(-1, 1);
+	const auto polylines = randomPolylines(random, {3, -2}, 10);
+	const PolylineIndex one(polylines, 0.2), many(polylines, 0.2);
+	std::vector<Point2> queries{{std::nan(""), 0}, {1e9, 1e9}};
+	for (int i = 0; i < 1000; i++) queries.push_back({3 + 30 * unit(random), -2 + 30 * unit(random)});
+	std::vector<double> squares;
+	many.distancesSqr(queries, 5, squares);
+	ASSERT_EQ(squares.size(), queries.size());
+	for (std::size_t i = 0; i < queries.size(); i++)
+	{
+		EXPECT_DOUBLE_EQ(std::sqrt(squares[i]), one.distance(queries[i], 5));
+		if (i > 1) EXPECT_NEAR(std::sqrt(squares[i]), std::min(5.0, exhaustiveDistance(polylines, queries[i])), 1e-9);
+	}
+	PolylineIndex({}, 1).distancesSqr(queries, 5, squares);
+	EXPECT_EQ(squares, std::vector<double>(queries.size(), 25));
+}
+
+TEST(PolylineIndex, ThreadsShareOneIndex)
+{
+	std::mt19937 random(12);
+	const auto polylines = randomPolylines(random, {0, 0}, 10);
+	const PolylineIndex index(polylines, 0.2);
+	std::vector<std::vector<double>> found(4);
+	std::vector<std::thread> threads;
+	for (auto& distances : found)
+		threads.emplace_back(
+			[&]
+			{
+				std::mt19937 same(13);
+				std::uniform_real_distribution<double> place(-15, 15);
+				for (int i = 0; i < 3000; i++)
+				{
+					const double x = place(same), y = place(same);
+					distances.push_back(index.distance({x, y}, 100));
+				}
+			});
+	for (auto& t : threads) t.join();
+	for (const auto& distances : found) EXPECT_EQ(distances, found[0]);
+	std::mt19937 same(13);
+	std::uniform_real_distribution<double> place(-15, 15);
+	for (const double d : found[0])
+	{
+		const double x = place(same), y = place(same);
+		ASSERT_NEAR(d, exhaustiveDistance(polylines, {x, y}), 1e-9);
+	}
 }

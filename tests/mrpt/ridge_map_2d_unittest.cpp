@@ -171,24 +171,24 @@ TEST(CRidgeMap2D, BoundingBoxHoldsTheMeasurements)
 	EXPECT_EQ(CRidgeMap2D().boundingBox().max.x, 0);
 }
 
-TEST(CRidgeMap2D, PointsMapSamplesTheWalls)
+TEST(CRidgeMap2D, PointsMapSamplesTheRidges)
 {
 	const CRidgeMap2D& map = roomMap();
 	const auto* points = map.getAsSimplePointsMap();
 	ASSERT_NE(points, nullptr);
 	EXPECT_EQ(points, map.getAsSimplePointsMap());
 	double length = 0;
-	for (const auto& w : map.walls()) length += w.length();
+	for (const auto& r : map.ridges()) length += r.length();
 	EXPECT_GE(double(points->size()), length / map.options().sigma);
 	for (std::size_t i = 0; i < points->size(); i++)
 	{
 		float x, y;
 		points->getPoint(i, x, y);
-		ASSERT_LT(map.nearestWallPoint({x, y})->distance, 1e-5);
+		ASSERT_LT(map.nearestRidgePoint({x, y})->distance, 1e-5);
 	}
-	// Walls nowhere farther than half a spacing from a point.
-	for (const auto& w : map.walls())
-		for (const auto& p : w.points)
+	// Ridges nowhere farther than half a spacing from a point.
+	for (const auto& r : map.ridges())
+		for (const auto& p : r.points)
 			ASSERT_LE(points->squareDistanceToClosestCorrespondence(float(p.x), float(p.y)),
 					  std::pow(0.51 * map.options().sigma, 2));
 }

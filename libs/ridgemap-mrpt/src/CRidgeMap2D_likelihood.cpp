@@ -11,7 +11,8 @@ namespace ridgemap
 {
 namespace
 {
-/** Log-likelihood of one beam that ends at a distance from the nearest polyline; finite whatever the options. */
+/** Density of the end of one beam by its distance from the nearest polyline; its logarithm is finite whatever the
+ * options. */
 class BeamModel
 {
  public:
@@ -22,13 +23,31 @@ class BeamModel
 
 	double operator()(double distanceSqr) const
 	{
-		constexpr double least = 1e-300;
-		const double p = random_ + hit_ * std::exp(perVariance_ * distanceSqr);
-		return std::log(p > least ? std::min(p, 1 / least) : least);
+		constexpr double least = 1e-150;
+		return std::clamp(random_ + hit_ * std::exp(perVariance_ * distanceSqr), least, 1 / least);
 	}
 
  private:
 	double random_, hit_, perVariance_;
+};
+
+/** Sum of logarithms, as the logarithm of a product as long as that stays in range: logarithms take time. */
+class LogSum
+{
+ public:
+	/** @param factor between 1e-150 and 1e150. */
+	void add(double factor)
+	{
+		constexpr double least = 1e-150;
+		product_ *= factor;
+		if (product_ > least && product_ < 1 / least) return;
+		sum_ += std::log(product_);
+		product_ = 1;
+	}
+	double value() const { return sum_ + std::log(product_); }
+
+ private:
+	double sum_ = 0, product_ = 1;
 };
 
 /** Unit vectors of every `decimation`-th ray of a scan in the frame of the sensor, one after the other; spacing
@@ -86,9 +105,9 @@ double CRidgeMap2D::internal_computeObservationLikelihood(const mrpt::obs::CObse
 						sensor.y() + range * (rotation(1, 0) * u.x + rotation(1, 1) * u.y)});
 	}
 	index->distancesSqr(ends, o.maxDistance, distancesSqr);
-	double sum = 0;
-	for (const double d : distancesSqr) sum += d < farthestSqr ? model(d) : farBeam;
-	return sum;
+	LogSum sum;
+	for (const double d : distancesSqr) sum.add(d < farthestSqr ? model(d) : farBeam);
+	return sum.value();
 }
 
 }  // namespace ridgemap
