@@ -63,9 +63,9 @@ Builder::Builder(CRidgeMap2D& map, const Feed& feed, std::function<void(const Me
 {
 }
 
-std::vector<Measurement> Builder::measurementsOf(Frame& frame, InputReport& report) const
+ObservedScan Builder::scanOf(Frame& frame, InputReport& report) const
 {
-	if (!frame.observation) return std::move(frame.points);
+	if (!frame.observation) return {0, std::move(frame.points), {}};
 	const auto& observation = *frame.observation;
 	report.classes[observation.GetRuntimeClass()->className]++;
 	if (!frame.pose)
@@ -79,7 +79,7 @@ std::vector<Measurement> Builder::measurementsOf(Frame& frame, InputReport& repo
 	if (!canConvertToMeasurements(observation)) return {};
 	if (report.robotPath.empty() || report.robotPath.back() != at) report.robotPath.push_back(at);
 	report.notFinite += countNotFinite(observation);
-	return observationToMeasurements(observation, *frame.pose, map_.insertionOptions);
+	return observedScan(observation, *frame.pose, map_.insertionOptions);
 }
 
 void Builder::add(const std::string& path, FrameReader& reader)
@@ -94,11 +94,11 @@ void Builder::add(const std::string& path, FrameReader& reader)
 		const bool isScan = frame.observation != nullptr;
 		try
 		{
-			std::vector<Measurement> measurements = measurementsOf(frame, report);
-			report.scans += isScan && !measurements.empty() ? 1 : 0;
-			report.measurements += measurements.size();
-			for (const Measurement& m : measurements) onMeasurement_(m);
-			take(std::move(measurements), isScan);
+			ObservedScan scan = scanOf(frame, report);
+			report.scans += isScan && !scan.measurements.empty() ? 1 : 0;
+			report.measurements += scan.measurements.size();
+			for (const Measurement& m : scan.measurements) onMeasurement_(m);
+			take(std::move(scan), isScan);
 		}
 		catch (const UserError&)
 		{
@@ -124,26 +124,38 @@ void Builder::add(const std::string& path, const CRidgeMap2D& earlier)
 	outdated_ = true;
 }
 
-void Builder::take(std::vector<Measurement>&& measurements, bool isScan)
+void Builder::take(ObservedScan&& scan, bool isScan)
 {
-	if (measurements.empty()) return;
-	if (!feed_.shuffleSeed && feed_.batch == 0) return insert(measurements, isScan);
-	waiting_.insert(waiting_.end(), measurements.begin(), measurements.end());
+	if (scan.empty()) return;
+	if (!feed_.shuffleSeed && feed_.batch == 0)
+	{
+		// Points have no time: only observations fall out of a window.
+		if (isScan) return insert([&] { map_.insertScan(scan); }, true);
+		return insert([&] { map_.insertMeasurements(scan.measurements); }, false);
+	}
+	map_.insertFreeRays(scan.freeRays);
+	outdated_ = true;
+	waiting_.insert(waiting_.end(), scan.measurements.begin(), scan.measurements.end());
 	if (feed_.shuffleSeed) return;
 	std::size_t done = 0;
 	for (; waiting_.size() - done >= feed_.batch; done += feed_.batch)
 	{
 		const auto first = waiting_.begin() + std::ptrdiff_t(done);
-		insert(std::vector<Measurement>(first, first + std::ptrdiff_t(feed_.batch)), true);
+		insert(std::vector<Measurement>(first, first + std::ptrdiff_t(feed_.batch)));
 	}
 	waiting_.erase(waiting_.begin(), waiting_.begin() + std::ptrdiff_t(done));
 }
 
-void Builder::insert(const std::vector<Measurement>& measurements, bool update)
+void Builder::insert(const std::vector<Measurement>& measurements)
+{
+	insert([&] { map_.insertMeasurements(measurements); }, true);
+}
+
+void Builder::insert(const std::function<void()>& change, bool update)
 {
 	throwIfInterrupted();
 	const auto start = std::chrono::steady_clock::now();
-	map_.insertMeasurements(measurements);
+	change();
 	outdated_ = !update;
 	if (!update) return;
 	const UpdateResult result = map_.update(feed_.threads);
@@ -173,8 +185,7 @@ void Builder::feedShuffled()
 	{
 		const std::size_t end = std::min(done + batch, waiting_.size());
 		insert(
-			std::vector<Measurement>(waiting_.begin() + std::ptrdiff_t(done), waiting_.begin() + std::ptrdiff_t(end)),
-			true);
+			std::vector<Measurement>(waiting_.begin() + std::ptrdiff_t(done), waiting_.begin() + std::ptrdiff_t(end)));
 		progress_.show(double(end) / double(waiting_.size()), end);
 	}
 	progress_.clear();
@@ -185,7 +196,7 @@ void Builder::finish()
 	if (feed_.shuffleSeed)
 		feedShuffled();
 	else if (!waiting_.empty())
-		insert(waiting_, true);
+		insert(waiting_);
 	waiting_ = {};
 	if (!outdated_) return;
 	const auto start = std::chrono::steady_clock::now();

@@ -74,9 +74,11 @@ class Builder
 	std::vector<Measurement> waiting_;  ///< for the next batch, or for shuffling
 	bool outdated_ = false;             ///< measurements were inserted without an update
 
-	std::vector<Measurement> measurementsOf(Frame& frame, InputReport& report) const;
-	void take(std::vector<Measurement>&& measurements, bool isScan);
-	void insert(const std::vector<Measurement>& measurements, bool update);
+	ObservedScan scanOf(Frame& frame, InputReport& report) const;
+	void take(ObservedScan&& scan, bool isScan);
+	/** Inserts by `change` and updates, with the time that takes. */
+	void insert(const std::function<void()>& change, bool update);
+	void insert(const std::vector<Measurement>& measurements);
 	void feedShuffled();
 	void record(const UpdateResult& result, double milliseconds);
 };

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "../common/help_output.h"
+#include "../common/number_line.h"
 #include "../common/user_error.h"
 
 namespace ridgemap::apps
@@ -79,6 +80,18 @@ struct Arguments
 										 "",
 										 "LIST",
 										 cmd};
+	TCLAP::SwitchArg showRemoved{"", "show-removed", "Show in the pictures what was left out as rays passed through it",
+								 cmd};
+	TCLAP::SwitchArg showFree{"", "show-free", "Shade in the pictures what is known to be free", cmd};
+	TCLAP::ValueArg<std::string> keepLast{"",
+										  "keep-last",
+										  "Keep the last N scans only, or with an s behind the number those of the "
+										  "last N seconds, such as 60s: older ones "
+										  "are taken out again, exactly",
+										  false,
+										  "",
+										  "N|SECONDSs",
+										  cmd};
 	TCLAP::SwitchArg errors{"", "errors", "Colour the walls in the pictures by their standard errors", cmd};
 	TCLAP::ValueArg<std::string> threads{
 		"", "threads", "Threads to compute with; the files do not depend on it (default: 1)", false, "", "N", cmd};
@@ -121,6 +134,20 @@ struct Arguments
 		cmd};
 };
 
+void parseKeepLast(const std::string& text, CommandLine& c)
+{
+	const std::string remedy = "give a number of scans, or of seconds with an s behind, such as 60s";
+	if (text.empty() || text.back() != 's')
+	{
+		c.keepScans = parseInteger<unsigned>("--keep-last", text, 1, remedy);
+		return;
+	}
+	const auto seconds = parseNumber(text.substr(0, text.size() - 1));
+	if (!seconds || !(*seconds > 0 && *seconds <= 1e9))
+		throw UserError("wrong value '" + text + "' of --keep-last", remedy);
+	c.keepSeconds = *seconds;
+}
+
 CommandLine readArguments(Arguments& a)
 {
 	CommandLine c;
@@ -142,6 +169,9 @@ CommandLine readArguments(Arguments& a)
 	c.formats = a.formats.isSet() ? parseFormats(a.formats.getValue())
 								  : std::set<std::string>(allFormats().begin(), firstOthers);
 	c.errors = a.errors.getValue();
+	c.showRemoved = a.showRemoved.getValue();
+	c.showFree = a.showFree.getValue();
+	if (a.keepLast.isSet()) parseKeepLast(a.keepLast.getValue(), c);
 	c.quiet = a.quiet.getValue();
 	c.dumpConfig = a.dumpConfig.getValue();
 	return c;
@@ -152,6 +182,8 @@ void check(const CommandLine& c)
 	rejectUnknownOptions(c.inputs, "ridgemap-build");
 	if (!c.poses.empty() && c.odometry)
 		throw UserError("--poses and --odometry were both given", "choose one source of poses");
+	if ((c.keepScans != 0 || c.keepSeconds > 0) && (c.shuffleSeed || c.batch != 0))
+		throw UserError("--keep-last goes by scans", "leave out --shuffle and --batch");
 	if (c.threads > 256) throw UserError("--threads is above 256", "give at most the number of cores");
 	if (c.dumpConfig) return;
 	if (c.inputs.empty()) throw UserError("no input", "name the files to build from, or see --help");

@@ -23,7 +23,11 @@ struct CommandLine
 	std::size_t batch = 0;  ///< measurements per update; 0: scan by scan
 	unsigned threads = 1;
 	std::set<std::string> formats;
-	bool errors = false;  ///< colour the walls in the pictures by their standard errors
+	bool showRemoved = false;  ///< show in the pictures what rays passed through
+	bool showFree = false;     ///< shade in the pictures what is free
+	unsigned keepScans = 0;    ///< scans to keep; 0: all
+	double keepSeconds = 0;    ///< age of scans to keep [s]; 0: any
+	bool errors = false;       ///< colour the walls in the pictures by their standard errors
 	bool quiet = false;
 	bool dumpConfig = false;
 };

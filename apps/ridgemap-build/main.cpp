@@ -41,9 +41,11 @@ EarlierMaps checkInputs(const CommandLine& c)
 }
 
 /** Options of earlier maps are taken over; what the user asks for must agree with them. */
-MapOptions chooseOptions(const MapSettings& settings, const EarlierMaps& maps)
+MapOptions chooseOptions(const CommandLine& c, const MapSettings& settings, const EarlierMaps& maps)
 {
-	const MapOptions options = settings.applyTo(maps.empty() ? MapOptions() : maps.begin()->second.mapOptions());
+	MapOptions options = settings.applyTo(maps.empty() ? MapOptions() : maps.begin()->second.mapOptions());
+	if (c.keepScans != 0) options.insertion.keepScans = c.keepScans;
+	if (c.keepSeconds > 0) options.insertion.keepSeconds = c.keepSeconds;
 	for (const auto& [path, map] : maps)
 		if (const Options& theirs = map.options(); theirs != options.creation)
 			throw UserError("'" + path + "' was built with other options: " + differences(theirs, options.creation),
@@ -74,7 +76,7 @@ void build(const CommandLine& c, const MapSettings& settings, const EarlierMaps&
 {
 	const auto start = std::chrono::steady_clock::now();
 	PoseChoice poses = choosePoses(c, settings);
-	poses.map = chooseOptions(settings, maps);
+	poses.map = chooseOptions(c, settings, maps);
 	const Feed feed{c.shuffleSeed, c.batch, c.threads};
 	CRidgeMap2D map(poses.map);
 	map.setThreads(c.threads);
@@ -109,8 +111,8 @@ int run(int argc, char** argv)
 		return 0;
 	}
 	const EarlierMaps maps = checkInputs(*c);
-	chooseOptions(settings, maps);
-	Outputs outputs(c->prefix, c->formats, c->errors);
+	chooseOptions(*c, settings, maps);
+	Outputs outputs(c->prefix, c->formats, {c->errors, c->showRemoved, c->showFree});
 	catchInterrupts();
 	build(*c, settings, maps, outputs);
 	return 0;

@@ -33,8 +33,8 @@ mrpt::opengl::CSetOfLines::Ptr pathLines(const std::vector<std::vector<Point2>>&
 
 }  // namespace
 
-Outputs::Outputs(const std::string& prefix, const std::set<std::string>& formats, bool standardErrors)
-	: prefix_(prefix), formats_(formats), standardErrors_(standardErrors)
+Outputs::Outputs(const std::string& prefix, const std::set<std::string>& formats, const PictureContents& pictures)
+	: prefix_(prefix), formats_(formats), pictures_(pictures)
 {
 	createDirectory();
 	try
@@ -118,7 +118,13 @@ void Outputs::writePictures(const CRidgeMap2D& map, const std::vector<std::vecto
 	drawing.measurements = map.core().cellCentroids();
 	drawing.paths = robotPaths;
 	drawing.title = title;
-	drawing.standardErrors = standardErrors_;
+	drawing.standardErrors = pictures_.standardErrors;
+	if (pictures_.removed) drawing.cleared = map.core().clearedWalls();
+	if (pictures_.free)
+	{
+		drawing.freeCells = map.core().freeCellCentres(map.options().freeSpaceLeast);
+		drawing.freeCellEdge = 2 * map.options().sigma;
+	}
 	keep("svg", [&](AtomicFile& file) { writeSvg(file.stream(), drawing); });
 	keep("png",
 		 [&](AtomicFile& file)

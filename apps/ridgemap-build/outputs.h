@@ -15,13 +15,21 @@
 
 namespace ridgemap::apps
 {
+/** What the pictures show beside the walls. */
+struct PictureContents
+{
+	bool standardErrors = false;  ///< colour the walls by their standard errors
+	bool removed = false;         ///< stretches that rays passed through
+	bool free = false;            ///< shade what is known to be free
+};
+
 /** The files of a run: PREFIX.ridgemap and so on. All are finished before the first of them appears. */
 class Outputs
 {
  public:
 	/** Creates the directory of the prefix if only this is missing, and tries whether all files can be written.
 	 * Throws UserError if not. */
-	Outputs(const std::string& prefix, const std::set<std::string>& formats, bool standardErrors);
+	Outputs(const std::string& prefix, const std::set<std::string>& formats, const PictureContents& pictures);
 	~Outputs();
 	Outputs(const Outputs&) = delete;
 	Outputs& operator=(const Outputs&) = delete;
@@ -40,7 +48,7 @@ class Outputs
  private:
 	const std::string prefix_;
 	const std::set<std::string> formats_;
-	const bool standardErrors_;     ///< pictures show them
+	const PictureContents pictures_;
 	std::string createdDirectory_;  ///< removed again if no file is written
 	std::optional<AtomicFile> measurements_;
 	std::vector<AtomicFile> finished_;

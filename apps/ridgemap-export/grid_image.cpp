@@ -85,6 +85,19 @@ void GridImage::mark(const Point2& a, const Point2& b, Cell value)
 	}
 }
 
+void GridImage::markFree(const std::function<bool(const Point2&)>& isFree)
+{
+	const Point2 low = origin();
+	for (std::size_t row = 0; row < height_; row++)
+		for (std::size_t column = 0; column < width_; column++)
+		{
+			Cell& cell = cells_[row * width_ + column];
+			const Point2 centre{low.x + (double(column) + 0.5) * resolution_,
+								low.y + (double(row) + 0.5) * resolution_};
+			if (cell == Cell::unknown && isFree(centre)) cell = Cell::free;
+		}
+}
+
 void GridImage::writeGridMap(const std::string& path) const
 {
 	const Point2 low = origin();

@@ -4,6 +4,7 @@
 #include <ridgemap/types.h>
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ class GridImage
 	/** Marks all cells through which the segment passes. Parts outside of the grid are left out. Occupied cells never
 	 * become free. */
 	void mark(const Point2& a, const Point2& b, Cell value);
+
+	/** Marks the unknown cells as free whose centre is. */
+	void markFree(const std::function<bool(const Point2&)>& isFree);
 
 	std::size_t width() const { return width_; }
 	std::size_t height() const { return height_; }

@@ -103,7 +103,10 @@ GridImage gridOf(const CRidgeMap2D& map, const CommandLine& c)
 	for (const Polyline& line : lines)
 		for (std::size_t i = 1; i < line.points.size(); i++)
 			grid.mark(line.points[i - 1], line.points[i], GridImage::Cell::occupied);
-	if (!c.freeSpace.empty()) markFreeSpace(grid, map, c);
+	if (!c.freeSpace.empty())
+		markFreeSpace(grid, map, c);
+	else if (map.core().passedAnywhere())
+		grid.markFree([&](const Point2& p) { return map.core().passes(p) > map.options().freeSpaceLeast; });
 	return grid;
 }
 
@@ -205,7 +208,7 @@ std::optional<CommandLine> parse(int argc, char** argv)
 	Text freeSpace(
 		"", "free-space",
 		"Observations with poses (.simplemap, .rawlog, or .csv of x,y,sensorX,sensorY): cells of a grid that "
-		"their rays pass are free; else all cells without a wall are unknown",
+		"their rays pass are free (default: where rays passed as the map itself has counted)",
 		false, "", "FILE", cmd);
 	Text resolution("", "resolution", "Edge of a cell of a grid in metres (default: 0.05)", false, "", "M", cmd);
 	TCLAP::SwitchArg frozen("", "frozen", "Write a map without measurements, for localisation: -o FILE.ridgemap", cmd);

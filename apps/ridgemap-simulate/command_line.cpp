@@ -30,6 +30,14 @@ struct Arguments
 										  "",
 										  "SHARE",
 										  cmd};
+	TCLAP::ValueArg<std::string> poseNoise{
+		"",
+		"pose-noise",
+		"Noise of the poses in the simplemap as M,DEG: standard deviations in metres and degrees (default: 0,0)",
+		false,
+		"",
+		"M,DEG",
+		cmd};
 	TCLAP::ValueArg<std::string> speed{"", "speed", "Speed of the robot in m/s (default: 1)", false, "", "V", cmd};
 	TCLAP::ValueArg<std::string> spacing{"",  "spacing", "Way between two cycles in metres (default: 0.25)", false, "",
 										 "M", cmd};
@@ -84,15 +92,15 @@ double number(TCLAP::ValueArg<std::string>& arg, double byDefault, double least,
 	throw UserError("wrong value '" + arg.getValue() + "' of --" + arg.getName(), range);
 }
 
-NoiseModel noiseOf(TCLAP::ValueArg<std::string>& arg, NoiseModel byDefault)
+NoiseModel noiseOf(TCLAP::ValueArg<std::string>& arg, NoiseModel byDefault,
+				   const char* remedy = "give two numbers A,B from 0: A + B * distance, in metres")
 {
 	if (!arg.isSet()) return byDefault;
 	const auto fields = splitFields(arg.getValue());
 	if (fields.size() == 2)
 		if (const auto a = parseNumber(fields[0]), b = parseNumber(fields[1]); a && b && *a >= 0 && *b >= 0)
 			if (*a <= 1e3 && *b <= 1e3) return {*a, *b};
-	throw UserError("wrong value '" + arg.getValue() + "' of --" + arg.getName(),
-					"give two numbers A,B from 0: A + B * distance, in metres");
+	throw UserError("wrong value '" + arg.getValue() + "' of --" + arg.getName(), remedy);
 }
 
 CommandLine readArguments(Arguments& a)
@@ -117,6 +125,9 @@ CommandLine readArguments(Arguments& a)
 	c.spacing = number(a.spacing, c.spacing, 1e-3, 1e4);
 	c.speed = number(a.speed, c.speed, 1e-3, 1e3);
 	c.odometryNoise = number(a.odometry, 0, 0, 1);
+	const NoiseModel pose = noiseOf(a.poseNoise, {0, 0}, "give metres and degrees from 0, such as 0.02,0.25");
+	c.poseNoise = pose.constant;
+	c.headingNoise = pose.perMetre * 3.14159265358979323846 / 180;
 	c.seed = std::uint64_t(number(a.seed, 1, 0, 9e15));
 	return c;
 }

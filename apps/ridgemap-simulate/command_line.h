@@ -19,6 +19,8 @@ struct CommandLine
 	double spacing = 0.25;     ///< of the poses [m]
 	double speed = 1;          ///< [m/s]
 	double odometryNoise = 0;  ///< standard deviation of the odometry, share of every movement
+	double poseNoise = 0;      ///< of the poses in the simplemap, standard deviation of x and y [m]
+	double headingNoise = 0;   ///< the same of their directions [rad]
 	std::uint64_t seed = 1;
 };
 

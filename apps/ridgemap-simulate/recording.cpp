@@ -92,14 +92,19 @@ void writeRawlog(const std::string& path, const Recording& recording, const Comm
 	}
 }
 
-void writeSimplemap(const std::string& path, const Recording& recording)
+void writeSimplemap(const std::string& path, const Recording& recording, const CommandLine& c)
 {
+	Random random(c.seed + 2);
 	mrpt::maps::CSimpleMap map;
 	for (const Recording::Cycle& cycle : recording.cycles)
 	{
 		auto frame = mrpt::obs::CSensoryFrame::Create();
 		frame->insert(cycle.observation);
-		map.insert(mrpt::poses::CPosePDFGaussian::Create(mrptPose(cycle.pose)), frame);
+		Pose pose = cycle.pose;
+		pose.x += c.poseNoise * random.normal();
+		pose.y += c.poseNoise * random.normal();
+		pose.phi += c.headingNoise * random.normal();
+		map.insert(mrpt::poses::CPosePDFGaussian::Create(mrptPose(pose)), frame);
 	}
 	if (!map.saveToFile(path)) throw std::runtime_error("cannot write '" + path + "'");
 }
@@ -164,7 +169,7 @@ std::vector<std::string> writeRecording(const CommandLine& c, const Recording& r
 	AtomicFile rawlog(c.prefix + ".rawlog"), simplemap(c.prefix + ".simplemap.gz"),
 		measurements(c.prefix + "_measurements.csv"), poses(c.prefix + "_poses.txt"), truth(c.prefix + "_truth.csv");
 	writeRawlog(rawlog.temporaryPath(), recording, c);
-	writeSimplemap(simplemap.temporaryPath(), recording);
+	writeSimplemap(simplemap.temporaryPath(), recording, c);
 	writeMeasurements(measurements.stream(), recording);
 	writePoses(poses.stream(), recording);
 	writeTruth(truth.stream(), recording.truth);

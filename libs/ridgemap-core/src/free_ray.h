@@ -65,19 +65,12 @@ void forEachCell(const LatticeRay& ray, Fn fn)
 	const std::int64_t perX = LatticeRay::quantaPerCell * y.length, perY = LatticeRay::quantaPerCell * x.length;
 	for (std::int64_t left = x.crossings + y.crossings; left > 0;)
 	{
-		const std::int64_t now = order;
-		if (now <= 0)
-		{
-			x.cell += x.step;
-			order += perX;
-			left--;
-		}
-		if (now >= 0)
-		{
-			y.cell += y.step;
-			order -= perY;
-			left--;
-		}
+		// Without branches, which could not be predicted: all bits set where the ray steps.
+		const std::int64_t goX = -std::int64_t(order <= 0), goY = -std::int64_t(order >= 0);
+		x.cell += x.step & goX;
+		y.cell += y.step & goY;
+		order += (perX & goX) - (perY & goY);
+		left += goX + goY;
 		fn(x.cell, y.cell);
 	}
 }

@@ -116,6 +116,23 @@ std::vector<TileKey> FreeSpace::apply(const std::vector<LatticeRay>& rays, int s
 	std::vector<TileKey> touched;
 	TileKey key;
 	CounterTile* current = nullptr;
+	// The rays of a scan pass the same tiles again and again: these are found without the map.
+	struct Known
+	{
+		TileKey key;
+		CounterTile* tile = nullptr;
+	};
+	std::array<Known, 256> known{};
+	const auto find = [&](TileKey t)
+	{
+		Known& k = known[std::size_t((t.y & 15) * 16 + (t.x & 15))];
+		if (!k.tile || k.key != t)
+		{
+			k = {t, &tile(t)};
+			touched.push_back(t);
+		}
+		return k.tile;
+	};
 	for (const LatticeRay& ray : rays)
 	{
 		const std::int32_t a = sign * ray.a, b = sign * ray.b;
@@ -126,8 +143,7 @@ std::vector<TileKey> FreeSpace::apply(const std::vector<LatticeRay>& rays, int s
 						if (!current || t != key)
 						{
 							key = t;
-							current = &tile(t);
-							touched.push_back(t);
+							current = find(t);
 						}
 						current->add(slot(cx, cy), sign, a, b);
 					});

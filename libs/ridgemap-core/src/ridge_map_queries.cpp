@@ -167,6 +167,17 @@ bool RidgeMap::passedAnywhere() const
 	return !impl_->freeSpace.empty();
 }
 
+std::vector<Point2> RidgeMap::freeCellCentres(double least) const
+{
+	const double edge = double(LatticeRay::cellSigmas);
+	std::vector<Point2> centres;
+	for (const FreeCellRecord& c : freeCells())
+		if (double(c.n) > least)
+			centres.push_back(
+				impl_->freeSpace.frame().toMap({(double(c.cx) + 0.5) * edge, (double(c.cy) + 0.5) * edge}));
+	return centres;
+}
+
 std::vector<FreeCellRecord> RidgeMap::freeCells() const
 {
 	return impl_->freeSpace.cells();

@@ -69,6 +69,7 @@ void CRidgeMap2D::internal_clear()
 	MapState& state = own(state_);
 	state.core.clear();
 	state.frozen.reset();
+	state.window.clear();
 	state.cache.reset();
 }
 

@@ -16,6 +16,21 @@ void change(std::shared_ptr<MapState>& state, Change&& apply)
 	apply(mine.core);
 	mine.cache.reset();
 }
+
+/** Adds or takes out measurements and rays of a scan: both or, if there is an error, none. */
+void apply(RidgeMap& map, const ObservedScan& scan, bool insert)
+{
+	insert ? map.insert(scan.measurements) : map.erase(scan.measurements);
+	try
+	{
+		insert ? map.insertFreeRays(scan.freeRays) : map.eraseFreeRays(scan.freeRays);
+	}
+	catch (...)
+	{
+		insert ? map.erase(scan.measurements) : map.insert(scan.measurements);
+		throw;
+	}
+}
 }  // namespace
 
 void CRidgeMap2D::insertMeasurements(const std::vector<Measurement>& measurements)
@@ -56,13 +71,29 @@ void CRidgeMap2D::subtract(const CRidgeMap2D& other)
 	change(state_, [&](RidgeMap& map) { map.subtract(other.core()); });
 }
 
+void CRidgeMap2D::insertScan(const ObservedScan& scan)
+{
+	throwIfFrozen("cannot insert a scan");
+	const TInsertionOptions& o = insertionOptions;
+	change(state_, [&](RidgeMap& map) { apply(map, scan, true); });
+	if (o.keepScans == 0 && !(o.keepSeconds > 0) && state_->window.empty()) return;
+	MapState& mine = own(state_);
+	for (const ObservedScan& old : mine.window.push(scan, o.keepScans, o.keepSeconds)) apply(mine.core, old, false);
+}
+
+void CRidgeMap2D::eraseScan(const ObservedScan& scan)
+{
+	throwIfFrozen("cannot erase a scan");
+	change(state_, [&](RidgeMap& map) { apply(map, scan, false); });
+	if (!state_->window.empty()) own(state_).window.forget(scan);
+}
+
 bool CRidgeMap2D::internal_insertObservation(const mrpt::obs::CObservation& obs,
 											 const std::optional<const mrpt::poses::CPose3D>& robotPose)
 {
-	const auto measurements =
-		observationToMeasurements(obs, robotPose.value_or(mrpt::poses::CPose3D()), insertionOptions);
-	if (measurements.empty()) return false;
-	insertMeasurements(measurements);
+	const auto scan = observedScan(obs, robotPose.value_or(mrpt::poses::CPose3D()), insertionOptions);
+	if (scan.empty()) return false;
+	insertScan(scan);
 	return true;
 }
 
@@ -70,10 +101,9 @@ bool CRidgeMap2D::eraseObservation(const mrpt::obs::CObservation& obs,
 								   const std::optional<const mrpt::poses::CPose3D>& robotPose)
 {
 	if (!genericMapParams.enableObservationInsertion) return false;
-	const auto measurements =
-		observationToMeasurements(obs, robotPose.value_or(mrpt::poses::CPose3D()), insertionOptions);
-	if (measurements.empty()) return false;
-	eraseMeasurements(measurements);
+	const auto scan = observedScan(obs, robotPose.value_or(mrpt::poses::CPose3D()), insertionOptions);
+	if (scan.empty()) return false;
+	eraseScan(scan);
 	return true;
 }
 
@@ -81,23 +111,24 @@ bool CRidgeMap2D::reanchor(const mrpt::obs::CObservation& obs, const mrpt::poses
 						   const mrpt::poses::CPose3D& newPose)
 {
 	if (!genericMapParams.enableObservationInsertion) return false;
-	const auto before = observationToMeasurements(obs, oldPose, insertionOptions);
-	const auto after = observationToMeasurements(obs, newPose, insertionOptions);
+	const auto before = observedScan(obs, oldPose, insertionOptions);
+	const auto after = observedScan(obs, newPose, insertionOptions);
 	if (before.empty() && after.empty()) return false;
 	change(state_,
 		   [&](RidgeMap& map)
 		   {
-			   map.erase(before);
+			   apply(map, before, false);
 			   try
 			   {
-				   map.insert(after);
+				   apply(map, after, true);
 			   }
 			   catch (...)
 			   {
-				   map.insert(before);
+				   apply(map, before, true);
 				   throw;
 			   }
 		   });
+	if (!state_->window.empty()) own(state_).window.replace(before, after);
 	return true;
 }
 

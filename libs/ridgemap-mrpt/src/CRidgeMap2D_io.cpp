@@ -16,7 +16,8 @@
 // parameters of MRPT, all options as pairs of texts, and the lattice cells in canonical order, each as differences to
 // the one before. Polylines are a pure function of these, so they are traced again when they are asked for.
 // Version 1 is a frozen map: the polylines instead of the cells, their points as differences, too, in units of 2^-20 m.
-// Version 2 is version 0 with the free-space counters behind the lattice cells, if rays passed anywhere.
+// Version 2 is version 0 with the free-space counters behind the lattice cells, and behind these the scans that a
+// sliding window has to take out again, as the bits of their numbers. It is written if there are any of these.
 
 namespace ridgemap
 {
@@ -167,15 +168,23 @@ void expectEnd(const ByteReader& in)
 	if (in.left() != 0) throw std::runtime_error("stored ridge map: there are data behind the end of the map");
 }
 
+/** There is something that version 0 does not hold. */
+bool hasMore(const MapState& state)
+{
+	return state.core.passedAnywhere() || !state.window.empty();
+}
+
 std::shared_ptr<MapState> readState(ByteReader& in, std::uint64_t key, const Options& options, bool withFreeSpace)
 {
 	const auto cells = readCells(in);
 	const auto freeCells = withFreeSpace ? readFreeCells(in) : std::vector<FreeCellRecord>();
+	ScanWindow window = withFreeSpace ? ScanWindow::read(in) : ScanWindow();
 	expectEnd(in);
-	if (auto living = findState(key, options, cells, freeCells)) return living;
+	if (auto living = findState(key, options, cells, freeCells, window)) return living;
 	auto state = std::make_shared<MapState>(options);
 	state->core.insertCells(cells);
 	state->core.insertFreeCells(freeCells);
+	state->window = std::move(window);
 	return state;
 }
 
@@ -192,7 +201,7 @@ std::shared_ptr<MapState> readFrozenState(ByteReader& in, std::uint64_t key, con
 
 uint8_t CRidgeMap2D::serializeGetVersion() const
 {
-	return isFrozen() ? frozenVersion : core().passedAnywhere() ? freeSpaceVersion : plainVersion;
+	return isFrozen() ? frozenVersion : hasMore(*state_) ? freeSpaceVersion : plainVersion;
 }
 
 void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
@@ -207,7 +216,11 @@ void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 	else
 	{
 		writeCells(content, core().cells());
-		if (core().passedAnywhere()) writeFreeCells(content, core().freeCells());
+		if (hasMore(*state_))
+		{
+			writeFreeCells(content, core().freeCells());
+			state_->window.write(content);
+		}
 	}
 	const auto& bytes = content.bytes();
 	writeFixed<8>(out, bytes.size());

@@ -11,7 +11,8 @@ namespace ridgemap::drawing
 {
 namespace
 {
-constexpr Color dark{24, 28, 44}, dots{180, 203, 228}, orange{240, 128, 24}, grey{110, 116, 128}, faint{236, 238, 242};
+constexpr Color dark{24, 28, 44}, dots{180, 203, 228}, orange{240, 128, 24}, grey{110, 116, 128}, faint{236, 238, 242},
+	red{214, 40, 40}, freeShade{232, 245, 228};
 constexpr double legendBottom = 145;  ///< below the frame, in units of Layout::unit
 
 /** Lines and paths decide what is shown; measurements only where there is nothing else, because a few stray returns
@@ -121,6 +122,8 @@ void drawLegend(Canvas& c, const Layout& l, const Drawing& d)
 	};
 	if (!d.paths.empty()) entry("robot path", 2 * u, orange);
 	if (!d.measurements.empty()) entry("measurements", 8 * u, dots);
+	if (!d.freeCells.empty()) entry("free", 16 * u, freeShade);
+	if (!d.cleared.empty()) entry("passed through", 3 * u, red);
 	if (!d.lines.empty() && !d.standardErrors) entry("walls", 3 * u, dark);
 }
 
@@ -185,10 +188,15 @@ std::vector<Point2> thinnedMeasurements(const Layout& l, const std::vector<Point
 void draw(Canvas& c, const Layout& l, const Drawing& d)
 {
 	drawGrid(c, l);
+	// Cells are turned against the picture: dots of 1.2 times their edge leave no gaps.
+	if (!d.freeCells.empty()) c.mapDots(d.freeCells, std::max(1.0, 1.2 * d.freeCellEdge * l.scale), freeShade);
 	if (!d.measurements.empty()) c.mapDots(d.measurements, 2.4 * l.unit, dots);
 	std::vector<const std::vector<Point2>*> lines;
 	for (const auto& path : d.paths) lines.push_back(&path);
 	if (!lines.empty()) c.mapLines(lines, 1.6 * l.unit, orange);
+	lines.clear();
+	for (const Polyline& line : d.cleared) lines.push_back(&line.points);
+	if (!lines.empty()) c.mapLines(lines, 2.8 * l.unit, red);
 	drawWalls(c, l, d);
 	drawAxes(c, l);
 	drawScaleBar(c, l);

@@ -80,13 +80,13 @@ std::shared_ptr<MapState> findFrozenState(std::uint64_t key, const Options& opti
 }
 
 std::shared_ptr<MapState> findState(std::uint64_t key, const Options& options, const std::vector<CellRecord>& cells,
-									const std::vector<FreeCellRecord>& freeCells)
+									const std::vector<FreeCellRecord>& freeCells, const ScanWindow& window)
 {
 	auto found = findByKey(key, options);
 	if (!found || found->frozen) return nullptr;
 	const auto held = found->core.cells();
 	if (held.size() != cells.size() || !std::equal(held.begin(), held.end(), cells.begin(), sameCell)) return nullptr;
-	return found->core.freeCells() == freeCells ? found : nullptr;
+	return found->core.freeCells() == freeCells && found->window == window ? found : nullptr;
 }
 
 }  // namespace ridgemap

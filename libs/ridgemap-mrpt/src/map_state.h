@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "query_cache.h"
+#include "scan_window.h"
 
 namespace ridgemap
 {
@@ -19,11 +20,12 @@ struct MapState
 {
 	explicit MapState(const Options& options) : core(options) {}
 	/** Copies the contents; what queries have built is left behind. */
-	MapState(const MapState& o) : core(o.core), frozen(o.frozen) {}
+	MapState(const MapState& o) : core(o.core), frozen(o.frozen), window(o.window) {}
 	MapState& operator=(const MapState&) = delete;
 
 	RidgeMap core;                                        ///< empty in a frozen map
 	std::shared_ptr<const std::vector<Polyline>> frozen;  ///< the polylines of a frozen map; null: not frozen
+	ScanWindow window;                                    ///< what a sliding window has to take out again
 	QueryCache cache;
 };
 
@@ -37,7 +39,7 @@ void rememberState(std::uint64_t key, const std::shared_ptr<MapState>& state);
 
 /** A living state with exactly these contents, or null. */
 std::shared_ptr<MapState> findState(std::uint64_t key, const Options& options, const std::vector<CellRecord>& cells,
-									const std::vector<FreeCellRecord>& freeCells);
+									const std::vector<FreeCellRecord>& freeCells, const ScanWindow& window);
 
 /** A living frozen state with exactly these polylines, or null. */
 std::shared_ptr<MapState> findFrozenState(std::uint64_t key, const Options& options,

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <mrpt/core/Clock.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/obs/CObservation3DRangeScan.h>
@@ -10,6 +11,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "beam_direction.h"
 
 namespace ridgemap
 {
@@ -102,11 +105,17 @@ std::vector<TPoint3D> zip(const std::vector<float>& x, const std::vector<float>&
 	return points;
 }
 
+/** The plane of a scan is about horizontal. */
+bool isLevel(const CPose3D& sensor, const TInsertionOptions& options)
+{
+	const double up = std::abs(sensor.getRotationMatrix()(2, 2));
+	return up >= std::cos(options.planarityTolerance * pi / 180) - 1e-12;
+}
+
 void convert(const mrpt::obs::CObservation2DRangeScan& scan, const CPose3D& robotPose, const TInsertionOptions& options,
 			 Collector& out)
 {
-	const double up = std::abs((robotPose + scan.sensorPose).getRotationMatrix()(2, 2));
-	if (!(up >= std::cos(options.planarityTolerance * pi / 180) - 1e-12)) return;
+	if (!isLevel(robotPose + scan.sensorPose, options)) return;
 	// Negative ranges would come out as points behind the sensor, like good ones: they are ruled out beforehand.
 	mrpt::obs::CObservation2DRangeScan cleaned = scan;
 	for (std::size_t i = 0; i < cleaned.getScanSize(); i++)
@@ -218,6 +227,33 @@ std::vector<Measurement> observationToMeasurements(const mrpt::obs::CObservation
 		convertIf<CObservationPointCloud>(obs, robotPose, options, out) ||
 		convertIf<CObservationRange>(obs, robotPose, options, out);
 	return out.take();
+}
+
+std::vector<FreeRay> observationToFreeRays(const mrpt::obs::CObservation& obs, const CPose3D& robotPose,
+										   const TInsertionOptions& options)
+{
+	std::vector<FreeRay> rays;
+	const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&obs);
+	if (!scan || !(options.freeRayRange > 0)) return rays;
+	const CPose3D sensor = robotPose + scan->sensorPose;
+	if (!isLevel(sensor, options)) return rays;
+	const double sensorRange = scan->maxRange > 0 ? double(scan->maxRange) : options.freeRayRange;
+	const double farthest = std::min(sensorRange, options.maxRange), free = std::min(sensorRange, options.freeRayRange);
+	for (std::size_t i = 0; i < scan->getScanSize(); i++)
+	{
+		if (!(double(scan->getScanRange(i)) >= farthest)) continue;
+		const Point2 u = beamDirection(*scan, i);
+		const TPoint3D end = sensor.composePoint({free * u.x, free * u.y, 0});
+		rays.push_back({sensor.x(), sensor.y(), end.x, end.y});
+	}
+	return rays;
+}
+
+ObservedScan observedScan(const mrpt::obs::CObservation& obs, const CPose3D& robotPose,
+						  const TInsertionOptions& options)
+{
+	return {mrpt::Clock::toDouble(obs.timestamp), observationToMeasurements(obs, robotPose, options),
+			observationToFreeRays(obs, robotPose, options)};
 }
 
 }  // namespace ridgemap

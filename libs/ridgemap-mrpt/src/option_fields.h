@@ -100,6 +100,13 @@ void visitFields(const TInsertionOptions*, O& o, V&& visit)
 		  o.minDistBetweenPoints);
 	visit(FieldInfo{"planarityTolerance", "deg", "greatest angle of the plane of a 2-D scan to the horizontal", 0, 90},
 		  o.planarityTolerance);
+	visit(FieldInfo{"freeRayRange", "m",
+					"beams of 2-D scans without return count as free up to this far; 0: not at all", 0, 1e6},
+		  o.freeRayRange);
+	visit(FieldInfo{"keepScans", "", "observations to keep, older ones are taken out again; 0: all", 0, 1e9},
+		  o.keepScans);
+	visit(FieldInfo{"keepSeconds", "s", "age of observations to keep, by the newest one; 0: any age", 0, 1e9},
+		  o.keepSeconds);
 }
 
 template <class O, class V>

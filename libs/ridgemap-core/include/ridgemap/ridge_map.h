@@ -219,6 +219,9 @@ class RidgeMap
 	bool passedAnywhere() const;
 	/** All cells of the free-space counters that rays passed, in canonical order: equal maps give equal lists. */
 	std::vector<FreeCellRecord> freeCells() const;
+	/** Centres of the cells that more than `least` rays passed, map frame, in the order of freeCells(). Squares with an
+	 * edge of 2 sigma around them, turned as the lattice is, are the cells. */
+	std::vector<Point2> freeCellCentres(double least) const;
 	/** Adds the contents of cells as returned by freeCells() of a map with equal options, in that order. Throws
 	 * std::invalid_argument for sums that no rays can have, with the map as before. */
 	void insertFreeCells(const std::vector<FreeCellRecord>& cells);

@@ -6,6 +6,7 @@
 #include <mrpt/math/TBoundingBox.h>
 #include <mrpt/version.h>
 #include <ridgemap/map_options.h>
+#include <ridgemap/observation_to_measurements.h>
 #include <ridgemap/point_to_line_matching.h>
 #include <ridgemap/polyline_index.h>
 #include <ridgemap/ridge_map.h>
@@ -84,6 +85,12 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	/** Adds and takes out rays that met nothing; errors as in RidgeMap::insertFreeRays() and eraseFreeRays(). */
 	void insertFreeRays(const std::vector<FreeRay>& rays);
 	void eraseFreeRays(const std::vector<FreeRay>& rays);
+	/** Adds what a scan saw, as insertObservation() does. With insertionOptions.keepScans or keepSeconds, scans that
+	 * have become too old are taken out: the map is then that of the kept scans alone, to the bit. The map remembers
+	 * the scans that it has to take out later, and its copies and files do, too. */
+	void insertScan(const ObservedScan& scan);
+	/** Takes out a scan that was inserted before, as eraseObservation() does; errors as in RidgeMap::erase(). */
+	void eraseScan(const ObservedScan& scan);
 	/** Takes out an observation that was inserted at this pose before: the map is then what it would be without it, to
 	 * the bit. Returns false if the observation holds no measurement (insertObservation() returned false, too). Throws
 	 * std::exception if the map does not hold its measurements, with the map as before. */

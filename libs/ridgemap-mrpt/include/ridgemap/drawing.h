@@ -16,6 +16,9 @@ struct Drawing
 	std::vector<Polyline> lines;             ///< walls or ridges: crisp dark lines
 	std::vector<Point2> measurements;        ///< faint dots beneath the lines
 	std::vector<std::vector<Point2>> paths;  ///< robot paths: thin orange lines
+	std::vector<Polyline> cleared;           ///< what rays passed through, not part of the map: red lines
+	std::vector<Point2> freeCells;           ///< centres of cells known to be free: shaded
+	double freeCellEdge = 0;                 ///< their edge [m]
 	/** Lines coloured by the standard errors of their vertices, with a scale below, instead of dark. */
 	bool standardErrors = false;
 	std::string title;      ///< one line of UTF-8 above the picture

@@ -35,6 +35,9 @@ struct TInsertionOptions : public mrpt::config::CLoadableOptions
 	double maxRange = 80;             ///< greatest distance from the sensor [m]
 	double minDistBetweenPoints = 0;  ///< a point nearer to the one before it is left out [m]; 0: all are kept
 	double planarityTolerance = 5;    ///< greatest angle of the plane of a 2-D scan to the horizontal [deg]
+	double freeRayRange = 0;  ///< beams of 2-D scans without return count as free up to this far [m]; 0: not at all
+	unsigned keepScans = 0;   ///< observations to keep, older ones are taken out again; 0: all
+	double keepSeconds = 0;   ///< age of observations to keep, by the newest one [s]; 0: any age
 
 	/** Throws std::invalid_argument with name, value and range of the first field that is off. */
 	void validate() const;

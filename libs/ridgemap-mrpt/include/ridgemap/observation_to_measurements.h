@@ -30,4 +30,23 @@ std::vector<Measurement> observationToMeasurements(const mrpt::obs::CObservation
 												   const mrpt::poses::CPose3D& robotPose,
 												   const TInsertionOptions& options);
 
+/** Beams of a 2-D scan that met nothing, as rays in the map frame up to options.freeRayRange or the range of the
+ * sensor, whichever is less; none while freeRayRange is 0, and none for other observations. A beam met nothing if its
+ * range is infinite, or at least the maximum range of the sensor or options.maxRange. Ranges that are 0, negative or
+ * NaN are unknown and say nothing. */
+std::vector<FreeRay> observationToFreeRays(const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& robotPose,
+										   const TInsertionOptions& options);
+
+/** All that an observation says about surfaces and free space. */
+struct ObservedScan
+{
+	double time = 0;  ///< of the observation [s since 1970]
+	std::vector<Measurement> measurements;
+	std::vector<FreeRay> freeRays;
+
+	bool empty() const { return measurements.empty() && freeRays.empty(); }
+};
+ObservedScan observedScan(const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& robotPose,
+						  const TInsertionOptions& options);
+
 }  // namespace ridgemap
