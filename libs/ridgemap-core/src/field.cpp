@@ -5,6 +5,16 @@
 
 namespace ridgemap
 {
+namespace
+{
+/** std::floor for what fits an int. */
+int roundDown(double v)
+{
+	const int i = int(v);
+	return i - (double(i) > v);
+}
+}  // namespace
+
 int TileField::haloBlocks(double cutoff)
 {
 	return int(std::ceil((margin + cutoff) / double(Frame::blockEdge)));
@@ -12,25 +22,28 @@ int TileField::haloBlocks(double cutoff)
 
 int TileField::haloOfNodes()
 {
-	return int(std::ceil((margin * nodesPerSigma + NodePatch::after) / double(nodesPerBlock)));
+	return int(std::ceil((margin * nodesPerSigma + NodeTaps::after) / double(nodesPerBlock)));
 }
 
-TileField::TileField(const TileStore& store, TileKey key, const Options& options)
+TileField::TileField(const TileStore& store, TileKey key, const Options& options, FieldScratch* scratch)
 	: compacts_(CellGrid(options).compacts()),
 	  edge_(store.tileEdge()),
 	  cutoff_(options.cutoff),
-	  halo_(haloBlocks(options.cutoff))
+	  halo_(haloBlocks(options.cutoff)),
+	  ownScratch_(scratch ? nullptr : std::make_unique<FieldScratch>()),
+	  scratch_(scratch ? scratch : ownScratch_.get())
 {
 	const int perEdge = store.blocksPerEdge();
 	side_ = perEdge + 2 * halo_;
 	blocks_.assign(std::size_t(side_) * std::size_t(side_), nullptr);
+	stride_ = side_ * nodesPerBlock + NodeTaps::count;  // rows that are a power of two apart share lines of the cache
 	if (compacts_)
 	{
-		patches_.resize(blocks_.size());
-		looked_.assign(blocks_.size(), false);
+		scratch_->nodes.resize(std::size_t(side_ * nodesPerBlock) * std::size_t(stride_));
+		scratch_->hasCopied.assign(std::size_t(side_), 0);
 	}
 	else
-		views_.reserve(blocks_.size());
+		scratch_->views.reserve(blocks_.size());
 	// The halo is narrower than a tile: the nine tiles around cover it.
 	for (int ty = -1; ty <= 1; ty++)
 		for (int tx = -1; tx <= 1; tx++)
@@ -53,8 +66,8 @@ TileField::TileField(const TileStore& store, TileKey key, const Options& options
 
 TileField::Range TileField::range(double coordinate, double radius) const
 {
-	const int first = int(std::floor((coordinate - radius) / double(Frame::blockEdge)));
-	const int last = int(std::floor((coordinate + radius) / double(Frame::blockEdge)));
+	const int first = roundDown((coordinate - radius) / double(Frame::blockEdge));
+	const int last = roundDown((coordinate + radius) / double(Frame::blockEdge));
 	return {std::max(first, -halo_), std::min(last, side_ - halo_ - 1)};
 }
 
@@ -73,58 +86,42 @@ KernelSums TileField::sampleNodes(Vec2 p) const
 {
 	work_.evaluations++;
 	const double u = p.x * nodesPerSigma, v = p.y * nodesPerSigma;
-	const double column = std::floor(u), row = std::floor(v);
-	const int bx = int(floorDiv(std::int64_t(column), nodesPerBlock)),
-			  by = int(floorDiv(std::int64_t(row), nodesPerBlock));
-	const int lx = int(column) - bx * nodesPerBlock, ly = int(row) - by * nodesPerBlock;
-	// The blocks of the taps.
-	look({bx - (lx < NodePatch::before), bx + (lx + NodePatch::after >= nodesPerBlock)},
-		 {by - (ly < NodePatch::before), by + (ly + NodePatch::after >= nodesPerBlock)});
-	const float* nodes = patch(bx, by);
-	if (!nodes) return {};
-	return interpolateNodes(nodes + ly * NodePatch::stride + lx, float(u - column), float(v - row));
+	const int column = roundDown(u), row = roundDown(v);
+	// The first tap, counted from the corner of the halo.
+	const int before = halo_ * nodesPerBlock - NodeTaps::before;
+	const int i = column + before, j = row + before;
+	const Range x{i / nodesPerBlock - halo_, (i + NodeTaps::count - 1) / nodesPerBlock - halo_};
+	const Range y{j / nodesPerBlock - halo_, (j + NodeTaps::count - 1) / nodesPerBlock - halo_};
+	look(x, y);
+	const std::uint64_t columns = BlockMask::columns(x.first + halo_, x.last + halo_);
+	const std::uint64_t* copied = scratch_->hasCopied.data() + halo_;
+	if ((copied[y.first] & copied[y.last] & columns) != columns && !provideNodes(x, y)) return {};
+	return interpolateNodes(scratch_->nodes.data() + j * stride_ + i, stride_, float(u - column), float(v - row));
 }
 
-const float* TileField::patch(int bx, int by) const
+bool TileField::provideNodes(Range x, Range y) const
 {
-	const std::size_t index = std::size_t((by + halo_) * side_ + bx + halo_);
-	if (!looked_[index])
-	{
-		looked_[index] = true;
-		bool any = false;
-		for (int y = by - 1; y <= by + 1; y++)
-			for (int x = bx - 1; x <= bx + 1; x++) any = any || (block(x, y) && !block(x, y)->nodes.empty());
-		if (any)
+	bool any = false;
+	for (int by = y.first; by <= y.last; by++)
+		for (int bx = x.first; bx <= x.last; bx++) any = any || (block(bx, by) && !block(bx, by)->nodes.empty());
+	if (!any) return false;
+	for (int by = y.first; by <= y.last; by++)
+		for (int bx = x.first; bx <= x.last; bx++)
 		{
-			patches_[index].reset(new float[NodePatch::size]);
-			copyNodes(bx, by, patches_[index].get());
+			std::uint64_t& row = scratch_->hasCopied[std::size_t(by + halo_)];
+			const std::uint64_t bit = BlockMask::columns(bx + halo_, bx + halo_);
+			if (!(row & bit)) copyBlock(bx, by);
+			row |= bit;
 		}
-	}
-	return patches_[index].get();
+	return true;
 }
 
-void TileField::copyNodes(int bx, int by, float* patch) const
+void TileField::copyBlock(int bx, int by) const
 {
-	const int n = nodesPerBlock, last = n + NodePatch::after;
-	for (int y = by - 1; y <= by + 1; y++)
-		for (int x = bx - 1; x <= bx + 1; x++)
-		{
-			const Block* b = block(x, y);
-			const int x0 = std::max(-NodePatch::before, (x - bx) * n), x1 = std::min(last, (x - bx + 1) * n);
-			const int y0 = std::max(-NodePatch::before, (y - by) * n), y1 = std::min(last, (y - by + 1) * n);
-			for (int row = y0; row < y1; row++)
-			{
-				float* to = patch + (row + NodePatch::before) * NodePatch::stride + NodePatch::before;
-				if (!b || b->nodes.empty())
-				{
-					std::fill(to + x0, to + x1, 0.0f);
-					continue;
-				}
-				const std::int64_t* from = b->nodes.data() + (row - (y - by) * n) * n - (x - bx) * n;
-				for (int column = x0; column < x1; column++)
-					to[column] = float(double(from[column]) * (1 / nodesPerKernel));
-			}
-		}
+	float* to = scratch_->nodes.data() + (by + halo_) * nodesPerBlock * stride_ + (bx + halo_) * nodesPerBlock;
+	const Block* b = block(bx, by);
+	if (b && !b->nodes.empty()) return copyNodes(b->nodes.data(), to, stride_);
+	for (int row = 0; row < nodesPerBlock; row++) std::fill_n(to + row * stride_, nodesPerBlock, 0.0f);
 }
 
 KernelSums TileField::sampleKernels(Vec2 p) const
@@ -132,7 +129,8 @@ KernelSums TileField::sampleKernels(Vec2 p) const
 	const Range x = range(p.x, cutoff_), y = range(p.y, cutoff_);
 	const float reach = float(cutoff_);
 	look(x, y);
-	views_.clear();
+	std::vector<BlockView>& views = scratch_->views;
+	views.clear();
 	for (int by = y.first; by <= y.last; by++)
 		for (int bx = x.first; bx <= x.last; bx++)
 		{
@@ -144,11 +142,11 @@ KernelSums TileField::sampleKernels(Vec2 p) const
 			const float ox = std::max(0.0f, std::max(k.minX - dx, dx - k.maxX));
 			const float oy = std::max(0.0f, std::max(k.minY - dy, dy - k.maxY));
 			if (ox * ox + oy * oy > reach * reach) continue;
-			views_.push_back({k.groups.data(), k.groups.size(), dx, dy});
+			views.push_back({k.groups.data(), k.groups.size(), dx, dy});
 			work_.kernels += k.count;
 		}
 	work_.evaluations++;
-	return sumKernels(views_.data(), views_.size());
+	return sumKernels(views.data(), views.size());
 }
 
 KernelSums sumOfCells(TileStore& store, const Options& options, Vec2 p)

@@ -19,19 +19,28 @@ struct FieldWork
 	std::size_t kernels = 0;  ///< summed one by one
 };
 
+/** Memory that the fields of one thread use one after the other. */
+struct FieldScratch
+{
+	std::vector<float> nodes;              ///< around the tile, row by row, where they were asked for
+	std::vector<std::uint64_t> hasCopied;  ///< blocks that are in `nodes`, one word a row of blocks
+	std::vector<BlockView> views;
+};
+
 /** The continuous occupancy around one tile, in the frame of the tile [sigma], in kernels.
  *
  * A value is interpolated between nodes, or summed kernel by kernel where measurements are kept apart. It depends only
  * on the point and on the cells within the cut-off, never on the tile through which it is asked for, as long as the
  * point is exact in both frames. Points are confined to `inDomain`: that bounds what a tile's polylines can depend on.
- * Not thread-safe (it counts its work and keeps what it has looked up); make one per tile and thread. */
+ * Not thread-safe (it counts its work and keeps what it has looked up); make one per tile and thread. A scratch memory
+ * that is given must not be used by another field before this one is gone. */
 class TileField
 {
  public:
 	/** How far outside its tile a field may be asked [sigma]. */
 	static constexpr double margin = 3;
 
-	TileField(const TileStore& store, TileKey key, const Options& options);
+	TileField(const TileStore& store, TileKey key, const Options& options, FieldScratch* scratch = nullptr);
 
 	/** Number of blocks around a tile that its field can depend on. */
 	static int haloBlocks(double cutoff);
@@ -94,9 +103,9 @@ class TileField
 	}
 	KernelSums sampleNodes(Vec2 p) const;
 	KernelSums sampleKernels(Vec2 p) const;
-	/** The nodes of a block and around it; nullptr if they are all zero. */
-	const float* patch(int bx, int by) const;
-	void copyNodes(int bx, int by, float* patch) const;
+	/** Copies the nodes of these blocks unless that was done before; false if they are all zero. */
+	bool provideNodes(Range x, Range y) const;
+	void copyBlock(int bx, int by) const;
 
 	const Block* block(int bx, int by) const { return blocks_[std::size_t((by + halo_) * side_ + bx + halo_)]; }
 	static Vec2 centre(int bx, int by) { return {4.0 * bx + 2.0, 4.0 * by + 2.0}; }
@@ -108,9 +117,9 @@ class TileField
 	int side_;                          ///< blocks along one side of the neighbourhood
 	std::vector<const Block*> blocks_;  ///< row by row; nullptr where there is nothing
 	std::size_t nonEmpty_ = 0;
-	mutable std::vector<BlockView> views_;
-	mutable std::vector<std::unique_ptr<float[]>> patches_;  ///< of the blocks, made when they are asked for
-	mutable std::vector<bool> looked_;  ///< of the blocks: their patch is made, or known to be empty
+	int stride_;  ///< nodes from one row to the next
+	std::unique_ptr<FieldScratch> ownScratch_;
+	FieldScratch* scratch_;
 	mutable BlockMask reach_;
 	mutable FieldWork work_;
 };

@@ -31,20 +31,20 @@ struct KernelWindow
  * window. The negative of a window takes away exactly what the window added. */
 void addToNodes(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1);
 
-/** Nodes of one block and of those around it that interpolation needs, in rows of `stride` from `before` nodes to the
- * left of and below the block. */
-struct NodePatch
+/** Nodes along one axis that interpolation between two of them needs. */
+struct NodeTaps
 {
-	static constexpr int taps = 8;
-	static constexpr int before = taps / 2 - 1, after = taps / 2;
-	static constexpr int stride = nodesPerBlock + taps;
-	static constexpr std::size_t size = std::size_t(stride) * std::size_t(stride);
+	static constexpr int count = 8;
+	static constexpr int before = count / 2 - 1, after = count / 2;  ///< seen from the node to the left or below
 };
 
+/** Copies the nodes of a block [kernels] into rows `stride` apart, rounded to single precision. */
+void copyNodes(const std::int64_t* nodes, float* to, int stride);
+
 /** L and its derivatives [kernels, sigma] between nodes by the weights of interpolation_table.h: `corner` is the first
- * of 8 x 8 nodes in rows of NodePatch::stride; tx and ty, in [0, 1), count from the fourth node, in node spacings. IEEE
+ * of 8 x 8 nodes in rows `stride` apart; tx and ty, in [0, 1), count from the fourth node, in node spacings. IEEE
  * single precision that is never contracted: the same bits on every machine. */
-KernelSums interpolateNodes(const float* corner, float tx, float ty);
+KernelSums interpolateNodes(const float* corner, int stride, float tx, float ty);
 
 /** Spreads the kernels of cells over the nodes. */
 class KernelSpreader

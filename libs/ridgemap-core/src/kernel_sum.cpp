@@ -8,7 +8,8 @@ namespace ridgemap
 #ifdef RIDGEMAP_HAVE_AVX2_UNIT
 KernelSums sumKernelsAvx2(const BlockView* views, std::size_t count);
 void addToNodesAvx2(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1);
-KernelSums interpolateNodesAvx2(const float* corner, float tx, float ty);
+void copyNodesAvx2(const std::int64_t* nodes, float* to, int stride);
+KernelSums interpolateNodesAvx2(const float* corner, int stride, float tx, float ty);
 
 namespace
 {
@@ -25,9 +26,14 @@ void addToNodes(std::int64_t* nodes, const KernelWindow& window, int originX, in
 	(hasAvx2 ? addToNodesAvx2 : addToNodesImpl)(nodes, window, originX, originY, y0, y1);
 }
 
-KernelSums interpolateNodes(const float* corner, float tx, float ty)
+void copyNodes(const std::int64_t* nodes, float* to, int stride)
 {
-	return hasAvx2 ? interpolateNodesAvx2(corner, tx, ty) : interpolateNodesImpl(corner, tx, ty);
+	(hasAvx2 ? copyNodesAvx2 : copyNodesImpl)(nodes, to, stride);
+}
+
+KernelSums interpolateNodes(const float* corner, int stride, float tx, float ty)
+{
+	return hasAvx2 ? interpolateNodesAvx2(corner, stride, tx, ty) : interpolateNodesImpl(corner, stride, tx, ty);
 }
 #else
 KernelSums sumKernels(const BlockView* views, std::size_t count)
@@ -40,9 +46,14 @@ void addToNodes(std::int64_t* nodes, const KernelWindow& window, int originX, in
 	addToNodesImpl(nodes, window, originX, originY, y0, y1);
 }
 
-KernelSums interpolateNodes(const float* corner, float tx, float ty)
+void copyNodes(const std::int64_t* nodes, float* to, int stride)
 {
-	return interpolateNodesImpl(corner, tx, ty);
+	copyNodesImpl(nodes, to, stride);
+}
+
+KernelSums interpolateNodes(const float* corner, int stride, float tx, float ty)
+{
+	return interpolateNodesImpl(corner, stride, tx, ty);
 }
 #endif
 }  // namespace ridgemap

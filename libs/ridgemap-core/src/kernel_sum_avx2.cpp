@@ -14,8 +14,13 @@ void addToNodesAvx2(std::int64_t* nodes, const KernelWindow& window, int originX
 	addToNodesImpl(nodes, window, originX, originY, y0, y1);
 }
 
-KernelSums interpolateNodesAvx2(const float* corner, float tx, float ty)
+void copyNodesAvx2(const std::int64_t* nodes, float* to, int stride)
 {
-	return interpolateNodesImpl(corner, tx, ty);
+	copyNodesImpl(nodes, to, stride);
+}
+
+KernelSums interpolateNodesAvx2(const float* corner, int stride, float tx, float ty)
+{
+	return interpolateNodesImpl(corner, stride, tx, ty);
 }
 }  // namespace ridgemap

@@ -121,6 +121,30 @@ inline void addToNodesImpl(std::int64_t* nodes, const KernelWindow& w, int origi
 	}
 }
 
+/** The integers as double precision numbers, rounded to the nearest. */
+inline void toDouble(const std::int64_t* from, Double4& result)
+{
+	typedef std::uint64_t Word4 __attribute__((vector_size(32)));
+	typedef Word4 UnalignedWord4 __attribute__((aligned(8), may_alias));
+	// The halves of the words as the last bits of 2^52 and of 2^84 + 2^63: only the last sum rounds.
+	const Word4 v = *reinterpret_cast<const UnalignedWord4*>(from);
+	const Word4 low = (v & 0xffffffffu) | 0x4330000000000000u, high = (v >> 32) ^ 0x4530000080000000u;
+	result = ((Double4)high - (0x1p84 + 0x1p63 + 0x1p52)) + (Double4)low;
+}
+
+inline void copyNodesImpl(const std::int64_t* nodes, float* to, int stride)
+{
+	typedef Float4 UnalignedFloat4 __attribute__((aligned(4), may_alias));
+	for (int row = 0; row < nodesPerBlock; row++)
+		for (int column = 0; column < nodesPerBlock; column += 4)
+		{
+			Double4 value;
+			toDouble(nodes + row * nodesPerBlock + column, value);
+			*reinterpret_cast<UnalignedFloat4*>(to + row * stride + column) =
+				__builtin_convertvector(value * (1 / nodesPerKernel), Float4);
+		}
+}
+
 /** interpolation_table.h and its derivatives with respect to the place in sigma, highest power first. */
 struct InterpolationWeights
 {
@@ -166,7 +190,7 @@ inline void laneSums(const Float8 (&v)[8], Float8& result)
 	result = __builtin_shuffle(quarter[0], quarter[1], even) + __builtin_shuffle(quarter[0], quarter[1], odd);
 }
 
-inline KernelSums interpolateNodesImpl(const float* corner, float tx, float ty)
+inline KernelSums interpolateNodesImpl(const float* corner, int stride, float tx, float ty)
 {
 	const Float8 ux = Float8{} + (tx - 0.5f), uy = Float8{} + (ty - 0.5f);
 	Float8 x[4], y[4];
@@ -175,7 +199,7 @@ inline KernelSums interpolateNodesImpl(const float* corner, float tx, float ty)
 	Float8 r0{}, r1{}, r2{}, r3{};  // derivatives along y of every column
 	for (int row = 0; row < 8; row++)
 	{
-		const Float8 nodes = load(corner + row * NodePatch::stride);
+		const Float8 nodes = load(corner + row * stride);
 		r0 += y[0][row] * nodes;
 		r1 += y[1][row] * nodes;
 		r2 += y[2][row] * nodes;

@@ -11,8 +11,8 @@
 
 namespace ridgemap
 {
-/** Calls fn(i) for i in [0, n) on up to `threads` threads; fn must not depend on the order. Rethrows the first
- * exception after all threads have ended. */
+/** Calls fn(i, thread) for i in [0, n) on up to `threads` threads, numbered from 0; fn must not depend on the order.
+ * Rethrows the first exception after all threads have ended. */
 template <class Fn>
 void parallelFor(std::size_t n, unsigned threads, Fn fn)
 {
@@ -20,17 +20,17 @@ void parallelFor(std::size_t n, unsigned threads, Fn fn)
 	const std::size_t useful = std::min<std::size_t>(threads, n / leastPerThread);
 	if (useful <= 1)
 	{
-		for (std::size_t i = 0; i < n; i++) fn(i);
+		for (std::size_t i = 0; i < n; i++) fn(i, std::size_t(0));
 		return;
 	}
 	std::atomic<std::size_t> next{0};
 	std::exception_ptr error;
 	std::mutex errorMutex;
-	const auto work = [&]
+	const auto work = [&](std::size_t thread)
 	{
 		try
 		{
-			for (std::size_t i; (i = next.fetch_add(1)) < n;) fn(i);
+			for (std::size_t i; (i = next.fetch_add(1)) < n;) fn(i, thread);
 		}
 		catch (...)
 		{
@@ -40,8 +40,8 @@ void parallelFor(std::size_t n, unsigned threads, Fn fn)
 		}
 	};
 	std::vector<std::thread> pool;
-	for (std::size_t t = 1; t < useful; t++) pool.emplace_back(work);
-	work();
+	for (std::size_t t = 1; t < useful; t++) pool.emplace_back(work, t);
+	work(0);
 	for (std::thread& t : pool) t.join();
 	if (error) std::rethrow_exception(error);
 }

@@ -104,11 +104,13 @@ class BlockMask
 	BlockMask() = default;
 	explicit BlockMask(int side) : rows_(std::size_t(side), 0) {}
 
-	/** Adds the blocks of columns first..last in a row, counted from the corner of the halo. */
-	void add(int row, int first, int last)
+	/** The columns first..last of a row, counted from the corner of the halo. */
+	static std::uint64_t columns(int first, int last)
 	{
-		rows_[std::size_t(row)] |= ((std::uint64_t(2) << last) - 1) & ~((std::uint64_t(1) << first) - 1);
+		return (std::uint64_t(2) << last) - (std::uint64_t(1) << first);
 	}
+	/** Adds the blocks of columns first..last in a row. */
+	void add(int row, int first, int last) { rows_[std::size_t(row)] |= columns(first, last); }
 	void addAll()
 	{
 		for (std::uint64_t& r : rows_) r = ~std::uint64_t(0);

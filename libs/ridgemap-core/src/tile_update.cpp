@@ -21,10 +21,17 @@ struct Work
 	TileKey key;
 	BlockMask changed;  ///< blocks in and around the tile that changed
 	Tile* tile = nullptr;
-	std::unique_ptr<TileField> field;
 	std::unique_ptr<TileTrace> trace;
-	bool cornerMoved = false, bordersChanged = false;
+	bool touched = false, cornerMoved = false, bordersChanged = false;
+	FieldWork done;
 	double borderSeconds = 0;
+
+	void note(const TileField& field)
+	{
+		touched = true;
+		done.evaluations += field.work().evaluations;
+		done.kernels += field.work().kernels;
+	}
 };
 
 /** Marks the blocks in the tiles whose field looks at them: those at most `reach` blocks away. */
@@ -110,55 +117,55 @@ bool isDefault(const Tile& t)
 class TileUpdate
 {
  public:
-	TileUpdate(TileStore& tiles, const Options& options, std::vector<Work>& works)
-		: tiles_(tiles), options_(options), works_(works)
+	TileUpdate(TileStore& tiles, const Options& options, unsigned threads, std::vector<Work>& works)
+		: tiles_(tiles), options_(options), works_(works), scratch_(std::max(1u, threads))
 	{
 	}
 
-	void placeCorners(Work& w)
+	void placeCorners(Work& w, std::size_t thread)
 	{
 		if (!w.tile->cornerReach.intersects(w.changed)) return;
 		const Stopwatch watch;
-		const Vec2 corner = placeCorner(field(w), options_);
-		w.tile->cornerReach = w.field->takeReach();
+		const TileField field(tiles_, w.key, options_, &scratch_[thread]);
+		const Vec2 corner = placeCorner(field, options_);
+		w.tile->cornerReach = field.takeReach();
+		w.note(field);
 		w.cornerMoved = !(corner == w.tile->corner);
 		w.tile->corner = corner;
 		w.borderSeconds += watch.seconds();
 	}
 
-	void layBorders(Work& w)
+	void layBorders(Work& w, std::size_t thread)
 	{
 		const TileKey right{w.key.x + 1, w.key.y}, above{w.key.x, w.key.y + 1};
 		const bool moved = w.cornerMoved || has(right, &Work::cornerMoved) || has(above, &Work::cornerMoved);
 		if (!moved && !w.tile->borderReach.intersects(w.changed)) return;
 		const Stopwatch watch;
 		const double edge = tiles_.tileEdge();
-		Edge bottom = layEdge(field(w), w.tile->corner, Vec2{edge, 0} + cornerOf(right), options_);
-		Edge left = layEdge(field(w), w.tile->corner, Vec2{0, edge} + cornerOf(above), options_);
-		w.tile->borderReach = w.field->takeReach();
+		const TileField field(tiles_, w.key, options_, &scratch_[thread]);
+		Edge bottom = layEdge(field, w.tile->corner, Vec2{edge, 0} + cornerOf(right), options_);
+		Edge left = layEdge(field, w.tile->corner, Vec2{0, edge} + cornerOf(above), options_);
+		w.tile->borderReach = field.takeReach();
+		w.note(field);
 		w.bordersChanged = !(bottom == w.tile->bottom && left == w.tile->left);
 		w.tile->bottom = std::move(bottom);
 		w.tile->left = std::move(left);
 		w.borderSeconds += watch.seconds();
 	}
 
-	void trace(Work& w)
+	void trace(Work& w, std::size_t thread)
 	{
 		const TileKey right{w.key.x + 1, w.key.y}, above{w.key.x, w.key.y + 1};
 		const bool borders = w.bordersChanged || has(right, &Work::bordersChanged) || has(above, &Work::bordersChanged);
 		if (!borders && !w.tile->traceReach.intersects(w.changed)) return;
+		const TileField field(tiles_, w.key, options_, &scratch_[thread]);
 		TileBorder border(tiles_, w.key);
-		w.trace = std::make_unique<TileTrace>(traceTile(field(w), border, options_));
-		w.tile->traceReach = w.field->takeReach();
+		w.trace = std::make_unique<TileTrace>(traceTile(field, border, options_));
+		w.tile->traceReach = field.takeReach();
+		w.note(field);
 	}
 
  private:
-	const TileField& field(Work& w)
-	{
-		if (!w.field) w.field = std::make_unique<TileField>(tiles_, w.key, options_);
-		return *w.field;
-	}
-
 	bool has(TileKey key, bool Work::*flag) const
 	{
 		const auto it =
@@ -175,6 +182,7 @@ class TileUpdate
 	TileStore& tiles_;
 	const Options& options_;
 	std::vector<Work>& works_;
+	std::vector<FieldScratch> scratch_;  ///< one for every thread
 };
 
 /** Puts the new pieces of a tile in the place of the old ones. */
@@ -202,23 +210,20 @@ std::vector<ReplacedTile> updateTiles(Lattice& lattice, const Options& options, 
 	result.seconds.kernels = watch.seconds();
 	result.kernels += changes.kernels;
 	std::vector<Work> works = dependentTiles(changes, tiles, options);
-	TileUpdate update(tiles, options, works);
-	parallelFor(works.size(), threads, [&](std::size_t i) { update.placeCorners(works[i]); });
-	parallelFor(works.size(), threads, [&](std::size_t i) { update.layBorders(works[i]); });
-	parallelFor(works.size(), threads, [&](std::size_t i) { update.trace(works[i]); });
+	TileUpdate update(tiles, options, threads, works);
+	parallelFor(works.size(), threads, [&](std::size_t i, std::size_t t) { update.placeCorners(works[i], t); });
+	parallelFor(works.size(), threads, [&](std::size_t i, std::size_t t) { update.layBorders(works[i], t); });
+	parallelFor(works.size(), threads, [&](std::size_t i, std::size_t t) { update.trace(works[i], t); });
 
 	std::vector<ReplacedTile> replaced;
 	for (Work& w : works)
 	{
-		if (w.field)
-		{
-			result.evaluations += w.field->work().evaluations;
-			result.kernels += w.field->work().kernels;
-			result.seconds.borders += w.borderSeconds;
-		}
+		result.evaluations += w.done.evaluations;
+		result.kernels += w.done.kernels;
+		result.seconds.borders += w.borderSeconds;
 		if (w.trace) replacePieces(w, result, replaced);
 	}
-	works.erase(std::remove_if(works.begin(), works.end(), [](const Work& w) { return !w.field; }), works.end());
+	works.erase(std::remove_if(works.begin(), works.end(), [](const Work& w) { return !w.touched; }), works.end());
 	result.regions = findRegions(works, lattice);
 	for (const Work& w : works)
 		if (isDefault(*w.tile)) tiles.remove(w.key);
