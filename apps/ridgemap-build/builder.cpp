@@ -34,6 +34,15 @@ bool isFinite(const mrpt::poses::CPose3D& pose)
 	return true;
 }
 
+/** Calls fn and gives the time it took [ms]. */
+template <class Fn>
+double timeOf(Fn fn)
+{
+	const auto start = std::chrono::steady_clock::now();
+	fn();
+	return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
 /** Says what an input held instead of measurements. */
 [[noreturn]] void failEmpty(const InputReport& r)
 {
@@ -154,25 +163,26 @@ void Builder::insert(const std::vector<Measurement>& measurements)
 void Builder::insert(const std::function<void()>& change, bool update)
 {
 	throwIfInterrupted();
-	const auto start = std::chrono::steady_clock::now();
-	change();
-	outdated_ = !update;
-	if (!update) return;
-	const UpdateResult result = map_.update(feed_.threads);
-	record(result, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
+	const double milliseconds = timeOf(change);
+	updates_.insertions.push_back(milliseconds);
+	outdated_ = true;
+	if (update && feed_.everyScan) this->update(milliseconds);
 }
 
-void Builder::record(const UpdateResult& result, double milliseconds)
+/** Brings the polylines up to date. */
+void Builder::update(double millisecondsBefore)
 {
+	UpdateResult result;
+	const double milliseconds = timeOf([&] { result = map_.update(feed_.threads); });
+	outdated_ = false;
 	updates_.regions += result.regions.size();
 	updates_.vanished += result.vanished.size();
 	updates_.appeared += result.appeared.size();
-	UpdateResult slim = result;
-	slim.regions.clear();
-	slim.vanished.clear();
-	slim.appeared.clear();
-	updates_.sum += slim;
-	updates_.milliseconds.push_back(milliseconds);
+	result.regions.clear();
+	result.vanished.clear();
+	result.appeared.clear();
+	updates_.sum += result;
+	updates_.milliseconds.push_back(millisecondsBefore + milliseconds);
 }
 
 void Builder::feedShuffled()
@@ -198,11 +208,7 @@ void Builder::finish()
 	else if (!waiting_.empty())
 		insert(waiting_);
 	waiting_ = {};
-	if (!outdated_) return;
-	const auto start = std::chrono::steady_clock::now();
-	const UpdateResult result = map_.update(feed_.threads);
-	record(result, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-	outdated_ = false;
+	if (outdated_) update(0);
 }
 
 void catchInterrupts()

@@ -19,8 +19,9 @@ namespace ridgemap::apps
 struct Feed
 {
 	std::optional<std::uint64_t> shuffleSeed;  ///< random order
-	std::size_t batch = 0;                     ///< measurements per update; 0: scan by scan
+	std::size_t batch = 0;                     ///< measurements per insertion; 0: scan by scan
 	unsigned threads = 1;
+	bool everyScan = false;  ///< polylines are made after every insertion, not once at the end
 };
 
 /** What one input held. */
@@ -39,9 +40,11 @@ struct InputReport
 /** What all updates of a run did and how long they took. */
 struct UpdateReport
 {
+	std::vector<double> insertions;  ///< time of every insertion without its update [ms]
+
 	UpdateResult sum;  ///< without regions and names of polylines
 	std::size_t regions = 0, vanished = 0, appeared = 0;
-	std::vector<double> milliseconds;  ///< of every insertion with its update
+	std::vector<double> milliseconds;  ///< time of every update, with that of its insertion if it came after each [ms]
 };
 
 /** Feeds a map from readers. */
@@ -76,11 +79,11 @@ class Builder
 
 	ObservedScan scanOf(Frame& frame, InputReport& report) const;
 	void take(ObservedScan&& scan, bool isScan);
-	/** Inserts by `change` and updates, with the time that takes. */
+	/** Inserts by `change` and, if the polylines are to be up to date after it, updates. */
 	void insert(const std::function<void()>& change, bool update);
 	void insert(const std::vector<Measurement>& measurements);
 	void feedShuffled();
-	void record(const UpdateResult& result, double milliseconds);
+	void update(double millisecondsBefore);
 };
 
 /** Makes Ctrl-C and termination end a run with an exception, so that temporary files are removed. */

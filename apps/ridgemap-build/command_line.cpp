@@ -99,6 +99,11 @@ struct Arguments
 		"",    "batch", "Feed the measurements N at a time instead of scan by scan; the files do not depend on it",
 		false, "",      "N",
 		cmd};
+	TCLAP::SwitchArg everyScan{"", "every-scan",
+							   "Bring the polylines up to date after every scan or batch, as a robot does, and report "
+							   "how long that takes; otherwise they are made once, at the end. The files do not depend "
+							   "on it",
+							   cmd};
 	TCLAP::ValueArg<std::string> shuffle{"", "shuffle", shuffleHelp, false, "", "SEED", cmd};
 	TCLAP::SwitchArg odometry{"", "odometry", "Poses of a rawlog from the odometry in it, uncorrected", cmd};
 	TCLAP::ValueArg<std::string> poses{
@@ -165,6 +170,7 @@ CommandLine readArguments(Arguments& a)
 		c.batch = parseInteger<std::size_t>("--batch", a.batch.getValue(), 1, "give a whole number from 1");
 	if (a.threads.isSet())
 		c.threads = parseInteger<unsigned>("--threads", a.threads.getValue(), 1, "give a whole number from 1");
+	c.everyScan = a.everyScan.getValue();
 	const auto firstOthers = allFormats().begin() + defaultFormats;
 	c.formats = a.formats.isSet() ? parseFormats(a.formats.getValue())
 								  : std::set<std::string>(allFormats().begin(), firstOthers);

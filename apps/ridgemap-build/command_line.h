@@ -20,7 +20,8 @@ struct CommandLine
 	std::string poses;                                          ///< file with poses; empty: none
 	bool odometry = false;
 	std::optional<std::uint64_t> shuffleSeed;
-	std::size_t batch = 0;  ///< measurements per update; 0: scan by scan
+	std::size_t batch = 0;   ///< measurements per insertion; 0: scan by scan
+	bool everyScan = false;  ///< polylines are made after every insertion, not once at the end
 	unsigned threads = 1;
 	std::set<std::string> formats;
 	bool showRemoved = false;  ///< show in the pictures what rays passed through

@@ -77,7 +77,7 @@ void build(const CommandLine& c, const MapSettings& settings, const EarlierMaps&
 	const auto start = std::chrono::steady_clock::now();
 	PoseChoice poses = choosePoses(c, settings);
 	poses.map = chooseOptions(c, settings, maps);
-	const Feed feed{c.shuffleSeed, c.batch, c.threads};
+	const Feed feed{c.shuffleSeed, c.batch, c.threads, c.everyScan};
 	CRidgeMap2D map(poses.map);
 	map.setThreads(c.threads);
 	Progress progress(!c.quiet);
@@ -97,7 +97,7 @@ void build(const CommandLine& c, const MapSettings& settings, const EarlierMaps&
 	outputs.write(map, paths, titleOf(c, map),
 				  [&](std::ostream& out, const Outputs::FileSizes& sizes)
 				  { writeStats(out, map, builder, feed, seconds, sizes); });
-	if (!c.quiet) printSummary(map, builder, seconds, outputs);
+	if (!c.quiet) printSummary(map, builder, feed.everyScan, seconds, outputs);
 }
 
 int run(int argc, char** argv)

@@ -40,6 +40,7 @@ void writeFeed(JsonWriter& json, const Feed& feed)
 	if (feed.shuffleSeed) json.value("seed", *feed.shuffleSeed);
 	json.value("batch", feed.batch);
 	json.value("threads", feed.threads);
+	json.value("polylinesAfterEveryScan", feed.everyScan);
 	json.end();
 }
 
@@ -60,16 +61,25 @@ void writeUpdates(JsonWriter& json, const UpdateReport& u)
 
 void writeTimes(JsonWriter& json, const UpdateReport& u, double seconds)
 {
-	const TimeFigures t = figuresOf(u.milliseconds);
+	const TimeFigures t = figuresOf(u.milliseconds), insertions = figuresOf(u.insertions);
 	json.beginObject("times");
 	json.value("totalSeconds", seconds);
+	json.value("insertionMedianMs", insertions.median);
+	json.value("insertion99PercentMs", insertions.p99);
+	json.value("insertionMaxMs", insertions.max);
+	json.value("insertionSumMs", insertions.sum);
 	json.value("updateMedianMs", t.median);
 	json.value("update99PercentMs", t.p99);
 	json.value("updateMaxMs", t.max);
 	json.value("updateSumMs", t.sum);
-	json.beginArray("updatesMs");
-	for (const double ms : u.milliseconds) json.value("", std::round(ms * 1000) / 1000);
-	json.end();
+	const auto list = [&](const char* name, const std::vector<double>& all)
+	{
+		json.beginArray(name);
+		for (const double ms : all) json.value("", std::round(ms * 1000) / 1000);
+		json.end();
+	};
+	list("insertionsMs", u.insertions);
+	list("updatesMs", u.milliseconds);
 	json.end();
 }
 
@@ -107,7 +117,8 @@ void writeStats(std::ostream& out, const CRidgeMap2D& map, const Builder& builde
 	json.end();
 }
 
-void printSummary(const CRidgeMap2D& map, const Builder& builder, double seconds, const Outputs& outputs)
+void printSummary(const CRidgeMap2D& map, const Builder& builder, bool everyScan, double seconds,
+				  const Outputs& outputs)
 {
 	std::size_t scans = 0, measurements = 0, withoutPose = 0, notFinite = 0;
 	for (const InputReport& r : builder.inputs())
@@ -128,9 +139,15 @@ void printSummary(const CRidgeMap2D& map, const Builder& builder, double seconds
 	std::printf("walls         %.1f m in %zu polylines with %zu nodes\n", walls.metres, walls.polylines, walls.nodes);
 	std::printf("ridges        %.1f m in %zu polylines with %zu nodes\n", ridges.metres, ridges.polylines,
 				ridges.nodes);
+	const TimeFigures insertions = figuresOf(builder.updates().insertions);
 	const TimeFigures t = figuresOf(builder.updates().milliseconds);
-	std::printf("times         %.1f s in all; an update takes %.2f ms (median), %.2f ms (99 %%)\n", seconds, t.median,
-				t.p99);
+	std::printf("times         %.1f s in all; ", seconds);
+	if (everyScan)
+		std::printf("an insertion with up-to-date polylines takes %.2f ms (median), %.2f ms (99 %%)\n", t.median,
+					t.p99);
+	else
+		std::printf("an insertion takes %.3f ms (median), %.3f ms (99 %%), the polylines at the end %.2f s\n",
+					insertions.median, insertions.p99, 1e-3 * t.sum);
 	for (const std::string& path : outputs.paths())
 	{
 		std::error_code error;

@@ -23,6 +23,7 @@ void writeStats(std::ostream& out, const CRidgeMap2D& map, const Builder& builde
 				const Outputs::FileSizes& sizes);
 
 /** The summary for people, on stdout. */
-void printSummary(const CRidgeMap2D& map, const Builder& builder, double seconds, const Outputs& outputs);
+void printSummary(const CRidgeMap2D& map, const Builder& builder, bool everyScan, double seconds,
+				  const Outputs& outputs);
 
 }  // namespace ridgemap::apps

@@ -67,6 +67,14 @@ TEST_F(Equality, batches)
 	}
 }
 
+TEST_F(Equality, polylinesAfterEveryScan)
+{
+	build({dir / "drive.simplemap", "-o", dir / "every", "--every-scan"});
+	expectSame("every");
+	build({dir / "drive.simplemap", "-o", dir / "shuffled", "--every-scan", "--shuffle", "5", "--threads", "2"});
+	expectSame("shuffled");
+}
+
 TEST_F(Equality, threads)
 {
 	build({dir / "drive.simplemap", "-o", dir / "threads", "--threads", "2"});

@@ -72,10 +72,23 @@ TEST_F(OutputFiles, statistics)
 	EXPECT_EQ(stats["options"]["sigma"].as<double>(), map.options().sigma);
 	EXPECT_EQ(stats["map"]["walls"]["polylines"].as<std::size_t>(), map.walls().size());
 	EXPECT_EQ(stats["map"]["ridges"]["polylines"].as<std::size_t>(), map.ridges().size());
-	EXPECT_EQ(stats["updates"]["updates"].as<int>(), 24);
+	EXPECT_EQ(stats["updates"]["updates"].as<int>(), 1);
 	EXPECT_GT(stats["updates"]["evaluations"].as<double>(), 0);
-	EXPECT_EQ(stats["times"]["updatesMs"].asSequence().size(), 24u);
+	EXPECT_EQ(stats["times"]["insertionsMs"].asSequence().size(), 24u);
+	EXPECT_EQ(stats["times"]["updatesMs"].asSequence().size(), 1u);
 	EXPECT_EQ(stats["fileBytes"]["map.png"].as<std::uintmax_t>(), std::filesystem::file_size(dir / "map.png"));
+}
+
+TEST_F(OutputFiles, statisticsOfUpdatesAfterEveryScan)
+{
+	const RunResult every =
+		runBuild({dir / "drive.simplemap", "-o", dir / "every", "--formats", "stats", "--every-scan"});
+	ASSERT_EQ(every.code, 0) << every.err;
+	EXPECT_NE(every.out.find("an insertion with up-to-date polylines takes"), std::string::npos) << every.out;
+	const auto stats = mrpt::containers::yaml::FromText(readFile(dir / "every_stats.json"));
+	EXPECT_EQ(stats["updates"]["updates"].as<int>(), 24);
+	EXPECT_EQ(stats["times"]["updatesMs"].asSequence().size(), 24u);
+	EXPECT_GE(stats["times"]["updateSumMs"].as<double>(), stats["times"]["insertionSumMs"].as<double>());
 }
 
 TEST_F(OutputFiles, measurements)
@@ -170,8 +183,9 @@ TEST(Help, namesEveryOptionAndTellsWhyOrderDoesNotMatter)
 	const RunResult help = runBuild({"--help"});
 	EXPECT_EQ(help.code, 0);
 	EXPECT_EQ(help.err, "");
-	for (const char* word : {"--config", "--sigma", "--eps", "--set", "--poses", "--odometry", "--shuffle", "--batch",
-							 "--threads", "--formats", "--errors", "--quiet", "--dump-config", "pure function"})
+	for (const char* word :
+		 {"--config", "--sigma", "--eps", "--set", "--poses", "--odometry", "--shuffle", "--batch", "--threads",
+		  "--every-scan", "--formats", "--errors", "--quiet", "--dump-config", "pure function"})
 		EXPECT_NE(help.out.find(word), std::string::npos) << word;
 	EXPECT_EQ(runBuild({"--version"}).code, 0);
 	EXPECT_EQ(runInfo({"--help"}).code, 0);

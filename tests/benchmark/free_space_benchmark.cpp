@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cost of counting the rays of a scan, beside the insertion of the same scan into a grid of 5 cm: the difference between
-// `insertScan/1` and `insertScan/0` is what free space adds.
+// Cost of counting the rays of a scan, beside the insertion of the same scan into a grid of 5 cm: the difference
+// between `insertScan/1` and `insertScan/0` is what free space adds.
 #include <benchmark/benchmark.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <ridgemap/observation_to_measurements.h>

@@ -2,8 +2,9 @@
 // alignment-share SIMPLEMAP.gz ICP.ini [STARTS [SEED]]: how often MRPT's ICP goes wrong from perturbed starts.
 // The even frames make a map; every odd frame is aligned with it, first from its own pose, which gives the reference,
 // and then from STARTS poses (default 4) each that are off by 0.2 m and up to 5 degrees, and by 0.4 m and up to 20
-// degrees. An alignment has failed where it ends more than 0.1 m or 2 degrees from the reference. Frames that MRPT's ICP
-// leaves more than 0.2 m or 3 degrees from their pose with either map say nothing and are left out, for all maps alike.
+// degrees. An alignment has failed where it ends more than 0.1 m or 2 degrees from the reference. Frames that MRPT's
+// ICP leaves more than 0.2 m or 3 degrees from their pose with either map say nothing and are left out, for all maps
+// alike.
 #include <mrpt/config/CConfigFile.h>
 #include <mrpt/core/bits_math.h>
 #include <mrpt/io/CFileGZInputStream.h>
@@ -137,7 +138,8 @@ int main(int argc, char** argv)
 		ridgemap::MapOptions options;
 		options.loadFromConfigFile(config, "MappingApplication_ridgePoints_00");
 		const auto frames = readFrames(argv[1]);
-		const auto points = [] {
+		const auto points = []
+		{
 			auto map = std::make_shared<CSimplePointsMap>();
 			map->insertionOptions.minDistBetweenLaserPoints = 0.05f;
 			return map;
