@@ -23,7 +23,11 @@ namespace ridgemap
 {
 #ifdef RIDGEMAP_HAVE_AVX2_UNIT
 void copyNodesAvx2(const std::int64_t* nodes, float* to, int stride);
-void addToNodesAvx2(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1);
+void makeProfileAvx2(const KernelShape& shape, const KernelReach& reach, KernelProfile& profile);
+void addChangesAvx2(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+					const KernelProfile* before);
+bool areChangedAvx2(const NodeChanges& changes, bool wide);
+bool applyChangesAvx2(const NodeChanges& changes, bool wide, std::int64_t* nodes);
 KernelSums interpolateNodesAvx2(const float* corner, int stride, float tx, float ty);
 #endif
 }  // namespace ridgemap
@@ -73,12 +77,14 @@ TEST(FieldNodes, HoldTheSumOfTheKernels)
 		{
 			const Cell cell = randomCell(random, grid);
 			std::map<std::pair<int, int>, Nodes> blocks;
-			spreader.spread(cell, +1,
-							[&](int bx, int by)
-							{
-								EXPECT_LE(std::max(std::abs(bx), std::abs(by)), spreader.reach());
-								return blocks.try_emplace({bx, by}, Nodes(nodeCount, 0)).first->second.data();
-							});
+			const auto nodesOf = [&](int bx, int by) -> Nodes&
+			{
+				EXPECT_LE(std::max(std::abs(bx), std::abs(by)), spreader.reach());
+				return blocks[{bx, by}];
+			};
+			SpreadScratch scratch;
+			spreader.spread(cell.key, {}, cell.sums, scratch, nodesOf);
+			spreader.finish(scratch, nodesOf);
 			const CellMoments m = momentsOf(cell, grid);
 			for (int trialNode = 0; trialNode < 200; trialNode++)
 			{
@@ -86,7 +92,7 @@ TEST(FieldNodes, HoldTheSumOfTheKernels)
 				const int bx = int(floorDiv(i, nodesPerBlock)), by = int(floorDiv(j, nodesPerBlock));
 				const auto block = blocks.find({bx, by});
 				const std::int64_t value =
-					block == blocks.end()
+					block == blocks.end() || block->second.empty()
 						? 0
 						: block->second[std::size_t((j - by * nodesPerBlock) * nodesPerBlock + i - bx * nodesPerBlock)];
 				const double dx = 0.25 * i - 2 - m.mean.x, dy = 0.25 * j - 2 - m.mean.y;
@@ -102,20 +108,56 @@ TEST(FieldNodes, HoldTheSumOfTheKernels)
 	}
 }
 
-TEST(FieldNodes, TakeAwayExactlyWhatTheyAdded)
+TEST(FieldNodes, TakeAwayExactlyWhatTheyAddedHoweverMuchThatIs)
 {
 	const CellGrid grid{Options()};
 	const KernelSpreader spreader(grid, 5);
 	Random random(2);
-	Nodes nodes(nodeCount * 49, 0);
-	const auto nodesOf = [&](int bx, int by) { return nodes.data() + nodeCount * std::size_t((by + 3) * 7 + bx + 3); };
-	std::vector<Cell> cells;
-	for (int i = 0; i < 50; i++) cells.push_back(randomCell(random, grid));
-	for (const Cell& c : cells) spreader.spread(c, +1, nodesOf);
-	EXPECT_GT(*std::max_element(nodes.begin(), nodes.end()), 0);
-	random.shuffle(cells);
-	for (const Cell& c : cells) spreader.spread(c, -1, nodesOf);
-	EXPECT_EQ(nodes, Nodes(nodes.size(), 0));
+	std::map<std::pair<int, int>, Nodes> blocks, direct;
+	SpreadScratch scratch;
+	const auto nodesOf = [&](int bx, int by) -> Nodes& {
+		return blocks[{bx, by}];
+	};
+	const auto directNodes = [&](int bx, int by) -> Nodes& {
+		return direct[{bx, by}];
+	};
+	std::map<CellKey, CellSums> cells;
+	for (int i = 0; i < 60; i++)
+	{
+		const Cell c = randomCell(random, grid);
+		cells[c.key] = c.sums;
+	}
+	// Step by step to counts beyond what 32 bits hold, and at once: small and large counts meet in the same nodes.
+	std::map<CellKey, CellSums> now;
+	for (int step = 0; step < 10; step++)
+	{
+		for (const auto& [key, s] : cells)
+		{
+			if (random.below(3) == 0) continue;
+			const std::int64_t k = std::int64_t(1) << random.below(29);
+			const CellSums next{std::uint32_t(k * s.n), k * s.sx, k * s.sy, k * s.sxx, k * s.sxy, k * s.syy};
+			spreader.spread(key, now[key], next, scratch, nodesOf);
+			now[key] = next;
+		}
+		spreader.finish(scratch, nodesOf);
+	}
+	for (const auto& [key, s] : now)
+	{
+		spreader.spread(key, {}, s, scratch, directNodes);
+		spreader.finish(scratch, directNodes);
+	}
+	const auto withoutEmpty = [](std::map<std::pair<int, int>, Nodes>& m)
+	{
+		for (auto it = m.begin(); it != m.end();) it = it->second.empty() ? m.erase(it) : std::next(it);
+	};
+	withoutEmpty(blocks);
+	withoutEmpty(direct);
+	EXPECT_EQ(blocks, direct);
+	EXPECT_GT(*std::max_element(blocks[{0, 0}].begin(), blocks[{0, 0}].end()), std::int64_t(1) << 40);
+	for (const auto& [key, s] : now) spreader.spread(key, s, {}, scratch, nodesOf);
+	spreader.finish(scratch, nodesOf);
+	withoutEmpty(blocks);
+	EXPECT_TRUE(blocks.empty());
 }
 
 TEST(FieldNodes, InterpolationAgreesWithTheSumOfAllCells)
@@ -193,21 +235,52 @@ TEST(FieldNodes, EveryVariantGivesTheSameBits)
 	Random random(4);
 	for (int trial = 0; trial < 500; trial++)
 	{
-		KernelWindow w{};
-		for (int i = 0; i < KernelWindow::capacity; i++)
+		KernelReach reach;
+		reach.rows = 1 + int(random.below(KernelProfile::capacity));
+		reach.columns = KernelProfile::capacity;
+		for (int j = 0; j < reach.rows; j++)
 		{
-			w.x[i] = random.uniform();
-			w.dx[i] = random.uniform(-1, 1);
-			w.y[i] = random.uniform(-1e9, 1e9);
-			w.dy[i] = random.uniform(-1e7, 1e7);
-			w.first[i] = 4 * int(random.below(5));
-			w.last[i] = w.first[i] + 4 * int(random.below(10));
+			reach.first[j] = 8 * int(random.below(5));
+			reach.last[j] = reach.first[j] + 8 * int(random.below(5));
 		}
+		KernelProfile before[2], after[2];
+		const auto shape = [&](double largest)
+		{
+			return KernelShape{float(random.uniform(-6, -4)),    float(random.uniform(-6, -4)),
+							   float(random.uniform(1, 1.1)),    float(random.uniform(1, 1.1)),
+							   float(random.uniform(-0.1, 0.1)), float(random.uniform(0, largest))};
+		};
+		const bool wide = trial % 2 == 0;
+		const KernelShape was = shape(wide ? 1e15 : 1e8), is = shape(wide ? 1e15 : 1e8);
+		makeProfileImpl(was, reach, before[0]);
+		makeProfileAvx2(was, reach, before[1]);
+		makeProfileImpl(is, reach, after[0]);
+		makeProfileAvx2(is, reach, after[1]);
+		for (int i = 0; i < reach.columns; i++) ASSERT_EQ(after[0].dx[i], after[1].dx[i]);
+		for (int j = 0; j < reach.rows; j++) ASSERT_EQ(after[0].dy[j], after[1].dy[j]);
+		constexpr std::size_t size = std::size_t(KernelProfile::capacity * KernelProfile::capacity);
+		std::vector<std::int32_t> low[3], high[3];
+		NodeChanges to[3];
+		for (int v = 0; v < 3; v++)
+		{
+			low[v].assign(size, 3);
+			high[v].assign(size, 0);
+			to[v] = {low[v].data(), high[v].data(), KernelProfile::capacity};
+		}
+		const bool plus = trial % 3 != 0, minus = trial % 5 != 0;
+		addChangesImpl(to[0], wide, reach, plus ? &after[0] : nullptr, minus ? &before[0] : nullptr);
+		addChangesAvx2(to[1], wide, reach, plus ? &after[1] : nullptr, minus ? &before[1] : nullptr);
+		addChangesAvx2(to[2], true, reach, plus ? &after[1] : nullptr, minus ? &before[1] : nullptr);
+		ASSERT_EQ(low[0], low[1]);
+		ASSERT_EQ(high[0], high[1]);
+		for (std::size_t i = 0; i < size; i++)
+			ASSERT_EQ(low[0][i] + (std::int64_t(high[0][i]) << 21), low[2][i] + (std::int64_t(high[2][i]) << 21));
 		Nodes a(nodeCount, 7), b(nodeCount, 7);
-		const int originX = 4 * int(random.below(10)) - 12, originY = int(random.below(30));
-		addToNodesImpl(a.data(), w, originX, originY, 0, nodesPerBlock);
-		addToNodesAvx2(b.data(), w, originX, originY, 0, nodesPerBlock);
+		ASSERT_EQ(areChangedImpl(to[0], wide), areChangedAvx2(to[1], wide));
+		ASSERT_EQ(applyChangesImpl(to[0], wide, a.data()), applyChangesAvx2(to[1], wide, b.data()));
 		ASSERT_EQ(a, b);
+		ASSERT_EQ(low[0], low[1]);
+		ASSERT_FALSE(areChangedImpl(to[0], wide));
 		const int stride = nodesPerBlock + int(random.below(20));
 		std::vector<float> patch(std::size_t(nodesPerBlock * stride)), copy = patch;
 		for (std::int64_t& v : a) v = std::int64_t(random.uniform(-1, 1) * std::pow(2.0, random.uniform(0, 63)));

@@ -22,10 +22,4 @@ inline double expMinusSeries(double x)
 	return expMinusBySeries<40>(x);
 }
 
-/** exp(-x) for 0 <= x < 0.1 to fifteen digits. */
-inline double expMinusShort(double x)
-{
-	return expMinusBySeries<8>(x);
-}
-
 }  // namespace ridgemap

@@ -5,16 +5,6 @@
 
 namespace ridgemap
 {
-namespace
-{
-/** std::floor for what fits an int. */
-int roundDown(double v)
-{
-	const int i = int(v);
-	return i - (double(i) > v);
-}
-}  // namespace
-
 int TileField::haloBlocks(double cutoff)
 {
 	return int(std::ceil((margin + cutoff) / double(Frame::blockEdge)));

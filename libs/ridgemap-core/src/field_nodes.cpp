@@ -4,40 +4,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "exp_series.h"
-
 namespace ridgemap
 {
 namespace
 {
-/** exp(-x^2 / (2 variance)) at `count` places a node spacing apart: outwards from the middle by repeated
- * multiplication, each ratio being the last one times a constant. */
-void gaussian(double firstPlace, int count, double variance, double* values)
-{
-	constexpr double h = 1.0 / nodesPerSigma;
-	const int middle = std::max(0, std::min(count - 1, int(std::floor(0.5 - firstPlace / h))));
-	const double x = firstPlace + middle * h, scale = 0.5 / variance;
-	const auto expMinus = [](double t) { return t < 0 ? 1 / expMinusShort(-t) : expMinusShort(t); };
-	const double peak = expMinusShort(x * x * scale), bend = expMinusShort(2 * h * h * scale);
-	double up = expMinus((2 * x + h) * h * scale), down = expMinus((h - 2 * x) * h * scale);
-	values[middle] = peak;
-	double value = peak;
-	for (int i = middle + 1; i < count; i++)
-	{
-		values[i] = value *= up;
-		up *= bend;
-	}
-	value = peak;
-	for (int i = middle - 1; i >= 0; i--)
-	{
-		values[i] = value *= down;
-		down *= bend;
-	}
-}
+/** Bound on what a number of 32 bits may take up, in kernel peaks; what is left covers tilted kernels. */
+constexpr std::uint64_t largestLoad = 1000;
+/** Counts up to this, before and after together, need no high parts. */
+constexpr std::uint64_t largestNarrow = 400;
+constexpr std::uint64_t wideLoad = 4;  ///< of the low parts of two kernels
+constexpr std::uint64_t largestHighLoad = std::uint64_t(1) << 31;
 
-int roundDownToFour(double x)
+int roundDownToEight(double x)
 {
-	return int(floorDiv(std::int64_t(std::floor(x)), 4)) * 4;
+	return roundDown(x) & ~7;
 }
 }  // namespace
 
@@ -48,35 +28,73 @@ KernelSpreader::KernelSpreader(const CellGrid& grid, double cutoff)
 	for (int k = 0; 0.25 * k <= radius_; k++) halfWidths_.push_back(std::sqrt(radius_ * radius_ - 0.0625 * k * k));
 }
 
-KernelSpreader::Place KernelSpreader::fill(const Cell& cell, int sign, KernelWindow& w) const
+/** Centre of a cell from the corner of its block [node spacings]. */
+Vec2 KernelSpreader::centreOf(CellKey key) const
 {
-	const CellMoments m = momentsOf(cell, grid_);
 	const double quantaPerNode = double(Frame::quantaPerSigma) / nodesPerSigma;
-	const double cx = double(grid_.centre(cellColumn(cell.key))) / quantaPerNode,
-				 cy = double(grid_.centre(cellRow(cell.key))) / quantaPerNode;
-	Place p;
-	p.x0 = roundDownToFour(cx - radius_);
-	p.x1 = roundDownToFour(cx + radius_) + 4;
-	p.y0 = int(std::ceil(cy - radius_));
-	p.y1 = int(std::floor(cy + radius_)) + 1;
-	const double half = 0.5 * double(Frame::blockEdge), h = 1.0 / nodesPerSigma;
-	const double x0 = h * p.x0 - half - m.mean.x, y0 = h * p.y0 - half - m.mean.y;
-	const double vx = 1 + m.xx, vy = 1 + m.yy;
-	const double weight = sign * nodesPerKernel * m.n / std::sqrt(vx * vy);
-	gaussian(x0, p.x1 - p.x0, vx, w.x);
-	gaussian(y0, p.y1 - p.y0, vy, w.y);
-	// The covariance tilts the kernel to first order: + xy times its mixed derivative.
-	for (int i = 0; i < p.x1 - p.x0; i++) w.dx[i] = -(x0 + h * i) / vx * w.x[i];
-	for (int j = 0; j < p.y1 - p.y0; j++)
+	return {double(grid_.centre(cellColumn(key))) / quantaPerNode, double(grid_.centre(cellRow(key))) / quantaPerNode};
+}
+
+KernelSpreader::Box KernelSpreader::blocksInReach(CellKey key) const
+{
+	const Vec2 c = centreOf(key);
+	const auto block = [](double node) { return roundDown(node / nodesPerBlock); };
+	return {block(c.x - radius_), block(c.x + radius_) + 1, block(c.y - radius_), block(c.y + radius_) + 1};
+}
+
+void KernelSpreader::findReach(CellKey key, KernelReach& r) const
+{
+	const Vec2 c = centreOf(key);
+	r.x0 = roundDownToEight(c.x - radius_);
+	r.columns = roundDownToEight(c.x + radius_) + 8 - r.x0;
+	r.y0 = -roundDown(radius_ - c.y);
+	r.rows = roundDown(c.y + radius_) + 1 - r.y0;
+	for (int j = 0; j < r.rows; j++)
 	{
-		const double y = y0 + h * j;
-		w.y[j] *= weight;
-		w.dy[j] = -m.xy * y / vy * w.y[j];
-		const double reach = halfWidths_[std::size_t(4 * std::abs(p.y0 + j - cy))];
-		w.first[j] = roundDownToFour(cx - reach) - p.x0;
-		w.last[j] = roundDownToFour(cx + reach) + 4 - p.x0;
+		const double reach = halfWidths_[std::size_t(4 * std::abs(r.y0 + j - c.y))];
+		r.first[j] = roundDownToEight(c.x - reach) - r.x0;
+		r.last[j] = roundDownToEight(c.x + reach) + 8 - r.x0;
 	}
-	return p;
+}
+
+bool KernelSpreader::hasRoom(const CellSums& before, const CellSums& after, const SpreadScratch& s) const
+{
+	const std::uint64_t n = std::uint64_t(before.n) + after.n;
+	if (n <= largestNarrow) return s.load + n <= largestLoad;
+	return s.load + wideLoad <= largestLoad && s.highLoad + std::max(before.n, after.n) <= largestHighLoad;
+}
+
+void KernelSpreader::add(CellKey key, const CellSums& before, const CellSums& after, SpreadScratch& s) const
+{
+	const std::uint64_t n = std::uint64_t(before.n) + after.n;
+	const bool wide = n > largestNarrow;
+	s.load += wide ? wideLoad : n;
+	s.highLoad += wide ? std::max(before.n, after.n) : 0;
+	s.wide = s.wide || wide;
+	const auto side = std::size_t((2 * reach_ + 1) * nodesPerBlock);
+	s.low.resize(side * side, 0);
+	if (wide) s.high.resize(side * side, 0);
+
+	KernelReach& r = s.reach;
+	findReach(key, r);
+	const auto profile = [&](const CellSums& sums, KernelProfile& p) -> const KernelProfile*
+	{
+		if (sums.n == 0) return nullptr;
+		const CellMoments m = momentsOf({key, sums}, grid_);
+		const double half = 0.5 * double(Frame::blockEdge), h = 1.0 / nodesPerSigma;
+		const double vx = 1 + m.xx, vy = 1 + m.yy;
+		makeProfile({float(h * r.x0 - half - m.mean.x), float(h * r.y0 - half - m.mean.y), float(vx), float(vy),
+					 float(m.xy), float(nodesPerKernel * m.n / std::sqrt(vx * vy))},
+					r, p);
+		return &p;
+	};
+	addChanges(changesAt(s, r.x0, r.y0), wide, r, profile(after, s.after), profile(before, s.before));
+	const Box b = blocksInReach(key);
+	const bool fresh = s.x0 == s.x1;
+	s.x0 = fresh ? b.x0 : std::min(s.x0, b.x0);
+	s.x1 = fresh ? b.x1 : std::max(s.x1, b.x1);
+	s.y0 = fresh ? b.y0 : std::min(s.y0, b.y0);
+	s.y1 = fresh ? b.y1 : std::max(s.y1, b.y1);
 }
 
 }  // namespace ridgemap

@@ -16,20 +16,52 @@ constexpr int nodesPerSigma = 4;
 constexpr int nodesPerBlock = nodesPerSigma * int(Frame::blockEdge);  ///< along one axis; block edges lie on nodes
 constexpr double nodesPerKernel = double(1 << 20);                    ///< value at a node of a kernel's peak
 
-/** The kernel of one cell at the nodes of a window around it: its value at node (i, j) is x[i] y[j] + dx[i] dy[j]. In
- * row j only the columns [first[j], last[j]) are in reach; both are multiples of four. */
-struct KernelWindow
+/** The kernel of one cell in a window of nodes: its value at column i and row j is x[i] y[j] + dx[i] dy[j]. */
+struct KernelProfile
 {
-	static constexpr int capacity = 80;  ///< nodes along one axis: 2 (8 + 1/2) sigma, rounded up to multiples of four
-	alignas(32) double x[capacity], dx[capacity];
-	double y[capacity], dy[capacity];
-	int first[capacity], last[capacity];
+	static constexpr int capacity = 80;  ///< nodes along one axis: 2 (8 + 1/2) sigma, rounded out to multiples of 8
+	alignas(32) float x[capacity], dx[capacity], y[capacity], dy[capacity];
 };
 
-/** Adds the values of a kernel, each rounded to the nearest integer, to the nodes of a block, stored row by row. The
- * lower left node of the block is node (originX, originY) of the window; rows y0 to y1 - 1 of the block are in the
- * window. The negative of a window takes away exactly what the window added. */
-void addToNodes(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1);
+/** A normal density seen from the first node of a window. */
+struct KernelShape
+{
+	float x0, y0;  ///< place of the first node, from the mean [sigma]
+	float vx, vy;  ///< variances [sigma^2]
+	float xy;      ///< covariance, which enters to first order [sigma^2]
+	float weight;  ///< value at the mean
+};
+
+/** Which part of the window of a cell is in reach: in row j the columns [first[j], last[j]), both multiples of 8.
+ * The window begins at node (x0, y0), counted from the corner of the cell's block; x0 is a multiple of 8. */
+struct KernelReach
+{
+	int x0, y0, columns, rows;
+	int first[KernelProfile::capacity], last[KernelProfile::capacity];
+};
+
+/** Changes of nodes as 32-bit numbers: low + 2^21 high. High parts are used only for large counts. */
+struct NodeChanges
+{
+	static constexpr int highShift = 21;
+	std::int32_t* low;
+	std::int32_t* high;
+	int stride;  ///< nodes from one row to the next
+};
+
+/** The values of a kernel in the columns and rows of a window. */
+void makeProfile(const KernelShape& shape, const KernelReach& reach, KernelProfile& profile);
+
+/** Adds the values of `after` and takes away those of `before`, either of which may be nullptr, each rounded to an
+ * integer. `to` points to the first node of the window. With `wide`, high parts are used, too, and values up to 2^51
+ * are right; without, their sum must stay below 2^31. Both give the same integers. */
+void addChanges(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+				const KernelProfile* before);
+
+/** The changes of the nodes of a block are not all zero. */
+bool areChanged(const NodeChanges& changes, bool wide);
+/** Adds changes to the nodes of a block and makes them zero; false if all nodes are zero then. */
+bool applyChanges(const NodeChanges& changes, bool wide, std::int64_t* nodes);
 
 /** Nodes along one axis that interpolation between two of them needs. */
 struct NodeTaps
@@ -46,6 +78,19 @@ void copyNodes(const std::int64_t* nodes, float* to, int stride);
  * single precision that is never contracted: the same bits on every machine. */
 KernelSums interpolateNodes(const float* corner, int stride, float tx, float ty);
 
+/** Changes of the nodes around one block, and memory for making them. For one thread at a time. */
+class SpreadScratch
+{
+ private:
+	friend class KernelSpreader;
+	std::vector<std::int32_t> low, high;   ///< of all blocks in reach, row by row; zero in between
+	bool wide = false;                     ///< high parts were used
+	std::uint64_t load = 0, highLoad = 0;  ///< bounds on what is in them
+	int x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< blocks that may have changed, from that of the cells: [x0, x1) x [y0, y1)
+	KernelReach reach;
+	KernelProfile after, before;
+};
+
 /** Spreads the kernels of cells over the nodes. */
 class KernelSpreader
 {
@@ -54,34 +99,59 @@ class KernelSpreader
 
 	/** How many blocks away from its own a cell reaches. */
 	int reach() const { return reach_; }
-
-	/** Adds (sign +1) what a cell holds or takes it away (-1). `nodesOf(bx, by)` gives the nodes of the block that many
-	 * blocks to the right of and above that of the cell. */
-	template <class NodesOf>
-	void spread(const Cell& cell, int sign, NodesOf nodesOf) const
-	{
-		KernelWindow window;
-		const Place p = fill(cell, sign, window);
-		const int n = nodesPerBlock;
-		for (int by = int(floorDiv(p.y0, n)); by * n < p.y1; by++)
-			for (int bx = int(floorDiv(p.x0, n)); bx * n < p.x1; bx++)
-				addToNodes(nodesOf(bx, by), window, bx * n - p.x0, by * n - p.y0, std::max(0, p.y0 - by * n),
-						   std::min(n, p.y1 - by * n));
-	}
-
- private:
-	/** A window of nodes, counted from the corner of the cell's block. */
-	struct Place
+	/** Blocks that a cell reaches, from its own: [x0, x1) x [y0, y1). */
+	struct Box
 	{
 		int x0, x1, y0, y1;
 	};
-	Place fill(const Cell& cell, int sign, KernelWindow& window) const;
+	Box blocksInReach(CellKey key) const;
+
+	/** Changes a cell from one content to another; all cells until finish() belong to one block. `nodesOf(bx, by)`
+	 * gives the nodes of the block that many blocks to the right of and above that one, empty where all are zero; it is
+	 * asked for blocks whose nodes change. */
+	template <class NodesOf>
+	void spread(CellKey key, const CellSums& before, const CellSums& after, SpreadScratch& scratch,
+				NodesOf nodesOf) const
+	{
+		if (!hasRoom(before, after, scratch)) finish(scratch, nodesOf);
+		add(key, before, after, scratch);
+	}
+
+	template <class NodesOf>
+	void finish(SpreadScratch& s, NodesOf nodesOf) const
+	{
+		for (int by = s.y0; by < s.y1; by++)
+			for (int bx = s.x0; bx < s.x1; bx++)
+			{
+				const NodeChanges changes = changesAt(s, bx * nodesPerBlock, by * nodesPerBlock);
+				if (!areChanged(changes, s.wide)) continue;
+				std::vector<std::int64_t>& nodes = nodesOf(bx, by);
+				if (nodes.empty()) nodes.assign(std::size_t(nodesPerBlock * nodesPerBlock), 0);
+				if (!applyChanges(changes, s.wide, nodes.data())) nodes = std::vector<std::int64_t>();
+			}
+		s.x0 = s.x1 = s.y0 = s.y1 = 0;
+		s.load = s.highLoad = 0;
+		s.wide = false;
+	}
+
+ private:
+	bool hasRoom(const CellSums& before, const CellSums& after, const SpreadScratch& scratch) const;
+	void add(CellKey key, const CellSums& before, const CellSums& after, SpreadScratch& scratch) const;
+	void findReach(CellKey key, KernelReach& reach) const;
+	/** Where the changes of a node are, counted from the corner of the cells' block. */
+	NodeChanges changesAt(SpreadScratch& s, int x, int y) const
+	{
+		const int stride = (2 * reach_ + 1) * nodesPerBlock,
+				  at = (y + reach_ * nodesPerBlock) * stride + x + reach_ * nodesPerBlock;
+		return {s.low.data() + at, s.high.empty() ? nullptr : s.high.data() + at, stride};
+	}
+	Vec2 centreOf(CellKey key) const;
 
 	CellGrid grid_;
 	double radius_;  ///< farthest node that a cell reaches, from the cell's centre [node spacings]
 	int reach_;
-	std::vector<double>
-		halfWidths_;  ///< of the disc of that radius, for every fourth of a spacing away from its centre
+	/** Of the disc of that radius, for every fourth of a spacing away from its centre. */
+	std::vector<double> halfWidths_;
 };
 
 }  // namespace ridgemap

@@ -11,6 +11,13 @@
 
 namespace ridgemap
 {
+/** std::floor for what fits an int. */
+inline int roundDown(double v)
+{
+	const int i = int(v);
+	return i - (double(i) > v);
+}
+
 /** Integer division that rounds towards minus infinity: the one way from a coordinate to an index. */
 inline std::int64_t floorDiv(std::int64_t a, std::int64_t b)
 {

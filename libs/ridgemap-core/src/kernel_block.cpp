@@ -79,12 +79,6 @@ void Block::remember(CellKey key, const CellSums& sums)
 	if (it == before.end() || it->key != key) before.insert(it, Cell{key, sums});
 }
 
-void Block::dropZeroNodes()
-{
-	if (std::all_of(nodes.begin(), nodes.end(), [](std::int64_t v) { return v == 0; }))
-		nodes = std::vector<std::int64_t>();
-}
-
 void Block::rebuild(const CellGrid& grid)
 {
 	points.clear();

@@ -120,8 +120,6 @@ struct Block
 	void remember(CellKey key, const CellSums& sums);
 	/** Makes the list of kernels, one for every cell, unless it is there. */
 	void makeKernels(const CellGrid& grid);
-	/** Frees the nodes if they are all zero. */
-	void dropZeroNodes();
 	/** Recomputes everything that is made from the cells of this block alone. */
 	void rebuild(const CellGrid& grid);
 	std::size_t memoryBytes() const;

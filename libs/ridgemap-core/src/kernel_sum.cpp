@@ -7,7 +7,11 @@ namespace ridgemap
 {
 #ifdef RIDGEMAP_HAVE_AVX2_UNIT
 KernelSums sumKernelsAvx2(const BlockView* views, std::size_t count);
-void addToNodesAvx2(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1);
+void makeProfileAvx2(const KernelShape& shape, const KernelReach& reach, KernelProfile& profile);
+void addChangesAvx2(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+					const KernelProfile* before);
+bool areChangedAvx2(const NodeChanges& changes, bool wide);
+bool applyChangesAvx2(const NodeChanges& changes, bool wide, std::int64_t* nodes);
 void copyNodesAvx2(const std::int64_t* nodes, float* to, int stride);
 KernelSums interpolateNodesAvx2(const float* corner, int stride, float tx, float ty);
 
@@ -21,9 +25,25 @@ KernelSums sumKernels(const BlockView* views, std::size_t count)
 	return hasAvx2 ? sumKernelsAvx2(views, count) : sumKernelsImpl(views, count);
 }
 
-void addToNodes(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1)
+void makeProfile(const KernelShape& shape, const KernelReach& reach, KernelProfile& profile)
 {
-	(hasAvx2 ? addToNodesAvx2 : addToNodesImpl)(nodes, window, originX, originY, y0, y1);
+	return (hasAvx2 ? makeProfileAvx2 : makeProfileImpl)(shape, reach, profile);
+}
+
+void addChanges(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+				const KernelProfile* before)
+{
+	return (hasAvx2 ? addChangesAvx2 : addChangesImpl)(to, wide, reach, after, before);
+}
+
+bool areChanged(const NodeChanges& changes, bool wide)
+{
+	return (hasAvx2 ? areChangedAvx2 : areChangedImpl)(changes, wide);
+}
+
+bool applyChanges(const NodeChanges& changes, bool wide, std::int64_t* nodes)
+{
+	return (hasAvx2 ? applyChangesAvx2 : applyChangesImpl)(changes, wide, nodes);
 }
 
 void copyNodes(const std::int64_t* nodes, float* to, int stride)
@@ -41,9 +61,25 @@ KernelSums sumKernels(const BlockView* views, std::size_t count)
 	return sumKernelsImpl(views, count);
 }
 
-void addToNodes(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1)
+void makeProfile(const KernelShape& shape, const KernelReach& reach, KernelProfile& profile)
 {
-	addToNodesImpl(nodes, window, originX, originY, y0, y1);
+	return makeProfileImpl(shape, reach, profile);
+}
+
+void addChanges(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+				const KernelProfile* before)
+{
+	return addChangesImpl(to, wide, reach, after, before);
+}
+
+bool areChanged(const NodeChanges& changes, bool wide)
+{
+	return areChangedImpl(changes, wide);
+}
+
+bool applyChanges(const NodeChanges& changes, bool wide, std::int64_t* nodes)
+{
+	return applyChangesImpl(changes, wide, nodes);
 }
 
 void copyNodes(const std::int64_t* nodes, float* to, int stride)

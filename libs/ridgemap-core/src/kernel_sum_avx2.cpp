@@ -9,9 +9,25 @@ KernelSums sumKernelsAvx2(const BlockView* views, std::size_t count)
 	return sumKernelsImpl(views, count);
 }
 
-void addToNodesAvx2(std::int64_t* nodes, const KernelWindow& window, int originX, int originY, int y0, int y1)
+void makeProfileAvx2(const KernelShape& shape, const KernelReach& reach, KernelProfile& profile)
 {
-	addToNodesImpl(nodes, window, originX, originY, y0, y1);
+	return makeProfileImpl(shape, reach, profile);
+}
+
+void addChangesAvx2(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+					const KernelProfile* before)
+{
+	return addChangesImpl(to, wide, reach, after, before);
+}
+
+bool areChangedAvx2(const NodeChanges& changes, bool wide)
+{
+	return areChangedImpl(changes, wide);
+}
+
+bool applyChangesAvx2(const NodeChanges& changes, bool wide, std::int64_t* nodes)
+{
+	return applyChangesImpl(changes, wide, nodes);
 }
 
 void copyNodesAvx2(const std::int64_t* nodes, float* to, int stride)

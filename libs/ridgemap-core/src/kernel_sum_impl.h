@@ -18,6 +18,7 @@ namespace
 typedef float Float8 __attribute__((vector_size(32)));
 typedef float UnalignedFloat8 __attribute__((vector_size(32), aligned(4), may_alias));
 typedef std::int32_t Int8 __attribute__((vector_size(32)));
+typedef Int8 UnalignedInt8 __attribute__((aligned(4), may_alias));
 typedef double Double4 __attribute__((vector_size(32)));
 typedef float Float4 __attribute__((vector_size(16)));
 
@@ -97,28 +98,126 @@ inline KernelSums sumKernelsImpl(const BlockView* views, std::size_t count)
 	return s;
 }
 
-inline void addToNodesImpl(std::int64_t* nodes, const KernelWindow& w, int originX, int originY, int y0, int y1)
+inline void makeProfileImpl(const KernelShape& s, const KernelReach& reach, KernelProfile& p)
+{
+	const Float8 lanes = {0, 1, 2, 3, 4, 5, 6, 7};
+	constexpr float h = 1.0f / nodesPerSigma;
+	const auto fill =
+		[&](float start, float variance, float weight, float slope, int count, float* values, float* slopes)
+	{
+		for (int i = 0; i < count; i += 8)
+		{
+			const Float8 place = start + h * (float(i) + lanes);
+			Float8 e;
+			expMinus(place * place * (0.5f / variance), e);
+			*reinterpret_cast<Float8*>(values + i) = e * weight;
+			*reinterpret_cast<Float8*>(slopes + i) = e * weight * place * slope;
+		}
+	};
+	// To first order, a covariance adds xy times the mixed derivative.
+	fill(s.x0, s.vx, 1, 1 / s.vx, reach.columns, p.x, p.dx);
+	fill(s.y0, s.vy, s.weight, s.xy / s.vy, reach.rows, p.y, p.dy);
+}
+
+/** Values of a profile in eight columns of a row, rounded to the nearest integer: low + 2^highShift high. */
+template <bool wide>
+inline void integersAt(const KernelProfile& p, int i, const Float8& y, const Float8& dy, Int8& low, Int8& high)
+{
+	const Float8& x = *reinterpret_cast<const Float8*>(p.x + i);
+	const Float8& dx = *reinterpret_cast<const Float8*>(p.dx + i);
+	Float8 value = (x * y + dx * dy) + 0.5f;
+	if (wide)
+	{
+		constexpr float unit = 1 << NodeChanges::highShift;
+		high = __builtin_convertvector(value * (1 / unit), Int8);
+		value -= __builtin_convertvector(high, Float8) * unit;
+	}
+	low = __builtin_convertvector(value, Int8);
+}
+
+template <bool plus, bool minus, bool wide>
+inline void addRows(const NodeChanges& to, const KernelReach& reach, const KernelProfile* after,
+					const KernelProfile* before)
+{
+	std::int32_t *lowRow = to.low, *highRow = to.high;
+	for (int j = 0, stride = to.stride, rows = reach.rows; j < rows; j++, lowRow += stride)
+	{
+		const Float8 zero{};
+		const Float8 y = zero + (plus ? after->y[j] : 0), dy = zero + (plus ? after->dy[j] : 0);
+		const Float8 oldY = zero + (minus ? before->y[j] : 0), oldDy = zero + (minus ? before->dy[j] : 0);
+		for (int i = reach.first[j], end = reach.last[j]; i < end; i += 8)
+		{
+			Int8 low{}, high{}, l, h;
+			if (plus) integersAt<wide>(*after, i, y, dy, low, high);
+			if (minus)
+			{
+				integersAt<wide>(*before, i, oldY, oldDy, l, h);
+				low -= l;
+				if (wide) high -= h;
+			}
+			*reinterpret_cast<UnalignedInt8*>(lowRow + i) += low;
+			if (wide) *reinterpret_cast<UnalignedInt8*>(highRow + i) += high;
+		}
+		if (wide) highRow += stride;
+	}
+}
+
+inline void addChangesImpl(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+						   const KernelProfile* before)
+{
+	if (after && before)
+		wide ? addRows<true, true, true>(to, reach, after, before)
+			 : addRows<true, true, false>(to, reach, after, before);
+	else if (after)
+		wide ? addRows<true, false, true>(to, reach, after, before)
+			 : addRows<true, false, false>(to, reach, after, before);
+	else if (before)
+		wide ? addRows<false, true, true>(to, reach, after, before)
+			 : addRows<false, true, false>(to, reach, after, before);
+}
+
+inline bool isAnySet(const Int8& v)
+{
+	typedef std::int64_t Int4 __attribute__((vector_size(32)));
+	const Int4 w = (Int4)v;
+	return ((w[0] | w[1]) | (w[2] | w[3])) != 0;
+}
+
+inline bool areChangedImpl(const NodeChanges& changes, bool wide)
+{
+	Int8 any{};
+	for (int row = 0; row < nodesPerBlock; row++)
+		for (int i = 0; i < nodesPerBlock; i += 8)
+		{
+			any |= *reinterpret_cast<const UnalignedInt8*>(changes.low + row * changes.stride + i);
+			if (wide) any |= *reinterpret_cast<const UnalignedInt8*>(changes.high + row * changes.stride + i);
+		}
+	return isAnySet(any);
+}
+
+inline bool applyChangesImpl(const NodeChanges& changes, bool wide, std::int64_t* nodes)
 {
 	typedef std::int64_t Int4 __attribute__((vector_size(32)));
 	typedef Int4 UnalignedInt4 __attribute__((aligned(8), may_alias));
-	typedef double UnalignedDouble4 __attribute__((vector_size(32), aligned(8), may_alias));
-	// Adding it rounds to an integer, which the bits of the sum then tell, for anything up to 2^51.
-	const Double4 magic = Double4{} + 6755399441055744.0;
-	for (int row = y0; row < y1; row++)
-	{
-		const int j = row + originY;
-		const double y = w.y[j], dy = w.dy[j];
-		const int end = std::min(nodesPerBlock, w.last[j] - originX);
-		for (int column = std::max(0, w.first[j] - originX); column < end; column += 4)
+	typedef std::int32_t Half4 __attribute__((vector_size(16)));
+	typedef Half4 UnalignedHalf4 __attribute__((aligned(4), may_alias));
+	Int4 any{};
+	for (int row = 0; row < nodesPerBlock; row++)
+		for (int i = 0; i < nodesPerBlock; i += 4)
 		{
-			const double* x = w.x + column + originX;
-			const double* dx = w.dx + column + originX;
-			const Double4 value =
-				*reinterpret_cast<const UnalignedDouble4*>(x) * y + *reinterpret_cast<const UnalignedDouble4*>(dx) * dy;
-			UnalignedInt4& sum = *reinterpret_cast<UnalignedInt4*>(nodes + row * nodesPerBlock + column);
-			sum += (Int4)(value + magic) - (Int4)magic;
+			UnalignedInt4& sum = *reinterpret_cast<UnalignedInt4*>(nodes + row * nodesPerBlock + i);
+			UnalignedHalf4& low = *reinterpret_cast<UnalignedHalf4*>(changes.low + row * changes.stride + i);
+			sum += __builtin_convertvector((Half4)low, Int4);
+			low = Half4{};
+			if (wide)
+			{
+				UnalignedHalf4& high = *reinterpret_cast<UnalignedHalf4*>(changes.high + row * changes.stride + i);
+				sum += __builtin_convertvector((Half4)high, Int4) * (std::int64_t(1) << NodeChanges::highShift);
+				high = Half4{};
+			}
+			any |= sum;
 		}
-	}
+	return isAnySet((Int8)any);
 }
 
 /** The integers as double precision numbers, rounded to the nearest. */

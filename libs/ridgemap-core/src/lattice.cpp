@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <unordered_map>
+
+#include "parallel.h"
 
 namespace ridgemap
 {
@@ -166,54 +169,111 @@ void Lattice::apply(std::vector<Delta> list, int sign)
 	}
 }
 
-/** Brings the nodes around a block up to date with its cells; returns how many kernels that took. */
-std::size_t Lattice::spreadChanges(BlockIndex b, std::vector<BlockIndex>& touched)
+/** Brings the nodes around a block up to date with its cells. */
+void Lattice::spreadChanges(BlockIndex b, SpreadScratch& scratch, TileChanges& changes)
 {
-	const int reach = spreader_.reach(), side = 2 * reach + 1;
-	std::vector<Block*> around(std::size_t(side * side), nullptr);
-	const auto nodesOf = [&](int dx, int dy)
-	{
-		Block*& target = around[std::size_t((dy + reach) * side + dx + reach)];
-		if (!target)
-		{
-			const BlockIndex index{b.x + dx, b.y + dy};
-			target = &blockAt(index);
-			if (target->nodes.empty()) target->nodes.assign(std::size_t(nodesPerBlock * nodesPerBlock), 0);
-			touched.push_back(index);
-		}
-		return target->nodes.data();
-	};
 	Block& block = blockAt(b);
-	std::size_t kernels = 0;
+	const auto nodesOf = [&](int dx, int dy) -> std::vector<std::int64_t>&
+	{
+		const BlockIndex index{b.x + dx, b.y + dy};
+		changes.touched.push_back(index);
+		return tiles_.find(tiles_.tileOfBlock(index.x, index.y))->blocks[slot(index)].nodes;
+	};
 	for (const Cell& old : block.before)
 	{
 		const Cell* now = block.find(old.key);
-		if (now ? now->sums == old.sums : old.sums.n == 0) continue;
-		kernels += std::size_t(old.sums.n > 0) + std::size_t(now != nullptr);
-		if (old.sums.n > 0) spreader_.spread(old, -1, nodesOf);
-		if (now) spreader_.spread(*now, +1, nodesOf);
+		const CellSums& after = now ? now->sums : CellSums{};
+		if (after == old.sums) continue;
+		changes.kernels += std::size_t(old.sums.n > 0) + std::size_t(after.n > 0);
+		spreader_.spread(old.key, old.sums, after, scratch, nodesOf);
 	}
+	spreader_.finish(scratch, nodesOf);
 	block.before = std::vector<Cell>();
-	return kernels;
 }
 
-Lattice::Changes Lattice::refresh()
+std::vector<Lattice::TileChanges> Lattice::changesByTile(const std::vector<BlockIndex>& blocks) const
+{
+	std::unordered_map<TileKey, std::size_t, TileKeyHash> indices;
+	std::vector<TileChanges> result;
+	const int perEdge = tiles_.blocksPerEdge(), period = 1 + (2 * spreader_.reach() + perEdge - 1) / perEdge;
+	for (const BlockIndex& b : blocks)
+	{
+		const TileKey key = tiles_.tileOfBlock(b.x, b.y);
+		const auto entry = indices.try_emplace(key, result.size());
+		if (entry.second)
+		{
+			result.emplace_back();
+			result.back().key = key;
+			result.back().colour =
+				int(key.x - floorDiv(key.x, period) * period + period * (key.y - floorDiv(key.y, period) * period));
+		}
+		result[entry.first->second].blocks.push_back(b);
+	}
+	std::stable_sort(result.begin(), result.end(),
+					 [](const TileChanges& a, const TileChanges& b) { return a.colour < b.colour; });
+	return result;
+}
+
+/** Makes the tiles that changes of these blocks may reach; returns those that were not there. */
+std::vector<TileKey> Lattice::makeTilesInReach(const std::vector<BlockIndex>& blocks)
+{
+	std::vector<TileKey> made;
+	for (const BlockIndex& b : blocks)
+	{
+		KernelSpreader::Box box{0, 1, 0, 1};
+		for (const Cell& c : blockAt(b).before)
+		{
+			const KernelSpreader::Box r = spreader_.blocksInReach(c.key);
+			box = {std::min(box.x0, r.x0), std::max(box.x1, r.x1), std::min(box.y0, r.y0), std::max(box.y1, r.y1)};
+		}
+		const TileKey low = tiles_.tileOfBlock(b.x + box.x0, b.y + box.y0),
+					  high = tiles_.tileOfBlock(b.x + box.x1 - 1, b.y + box.y1 - 1);
+		for (TileKey key{low.x, low.y}; key.y <= high.y; key.y++)
+			for (key.x = low.x; key.x <= high.x; key.x++)
+			{
+				if (tiles_.find(key)) continue;
+				tiles_.at(key);
+				made.push_back(key);
+			}
+	}
+	return made;
+}
+
+Lattice::Changes Lattice::refresh(unsigned threads)
 {
 	Changes changes;
 	changes.cells.assign(changed_.begin(), changed_.end());
 	std::sort(changes.cells.begin(), changes.cells.end());
 	changed_.clear();
-	for (const BlockIndex& b : changes.cells)
+	const std::vector<TileKey> made = makeTilesInReach(changes.cells);
+	std::vector<TileChanges> list = changesByTile(changes.cells);
+	std::vector<SpreadScratch> scratch(std::max(1u, threads));
+	const auto refreshTile = [&](TileChanges& tile, std::size_t thread)
 	{
-		Block& block = blockAt(b);
-		block.dropEmpty();
-		block.rebuild(grid_);
-		if (grid_.compacts()) changes.kernels += spreadChanges(b, changes.values);
+		for (const BlockIndex& b : tile.blocks)
+		{
+			Block& block = blockAt(b);
+			block.dropEmpty();
+			block.rebuild(grid_);
+			if (grid_.compacts()) spreadChanges(b, scratch[thread], tile);
+		}
+	};
+	for (std::size_t first = 0, last; first < list.size(); first = last)
+	{
+		for (last = first; last < list.size() && list[last].colour == list[first].colour;) last++;
+		parallelFor(last - first, threads, [&](std::size_t i, std::size_t t) { refreshTile(list[first + i], t); });
+	}
+	for (const TileChanges& tile : list)
+	{
+		changes.kernels += tile.kernels;
+		changes.values.insert(changes.values.end(), tile.touched.begin(), tile.touched.end());
 	}
 	if (!grid_.compacts()) changes.values = changes.cells;
 	std::sort(changes.values.begin(), changes.values.end());
 	changes.values.erase(std::unique(changes.values.begin(), changes.values.end()), changes.values.end());
-	for (const BlockIndex& b : changes.values) blockAt(b).dropZeroNodes();
+	const auto isEmpty = [](const Block& b) { return b.nodes.empty() && b.cells.empty(); };
+	for (const TileKey& key : made)
+		if (const auto& b = tiles_.find(key)->blocks; std::all_of(b.begin(), b.end(), isEmpty)) tiles_.remove(key);
 	return changes;
 }
 

@@ -59,8 +59,8 @@ class Lattice
 		std::vector<BlockIndex> values;  ///< blocks where L changed; in canonical order, both
 		std::size_t kernels = 0;         ///< kernels of cells spread over nodes
 	};
-	/** Brings up to date what is made from the cells. */
-	Changes refresh();
+	/** Brings up to date what is made from the cells. The result does not depend on the number of threads. */
+	Changes refresh(unsigned threads = 1);
 
  private:
 	/** What to add to or take from one cell. */
@@ -82,7 +82,17 @@ class Lattice
 	const Block* findBlock(BlockIndex b) const;
 	std::size_t slot(BlockIndex b) const;
 	Block& blockAt(BlockIndex b) { return tiles_.at(tiles_.tileOfBlock(b.x, b.y)).blocks[slot(b)]; }
-	std::size_t spreadChanges(BlockIndex b, std::vector<BlockIndex>& touched);
+	/** The changed blocks of one tile. */
+	struct TileChanges
+	{
+		TileKey key;
+		int colour = 0;  ///< tiles of the same colour reach no common block
+		std::vector<BlockIndex> blocks, touched;
+		std::size_t kernels = 0;
+	};
+	std::vector<TileChanges> changesByTile(const std::vector<BlockIndex>& blocks) const;
+	std::vector<TileKey> makeTilesInReach(const std::vector<BlockIndex>& blocks);
+	void spreadChanges(BlockIndex b, SpreadScratch& scratch, TileChanges& changes);
 	template <class Fn>
 	void forEachBlock(Fn fn) const;
 

@@ -206,7 +206,7 @@ std::vector<ReplacedTile> updateTiles(Lattice& lattice, const Options& options, 
 {
 	TileStore& tiles = lattice.tiles();
 	const Stopwatch watch;
-	const Lattice::Changes changes = lattice.refresh();
+	const Lattice::Changes changes = lattice.refresh(threads);
 	result.seconds.kernels = watch.seconds();
 	result.kernels += changes.kernels;
 	std::vector<Work> works = dependentTiles(changes, tiles, options);
