@@ -47,7 +47,7 @@ void KernelSpreader::findReach(CellKey key, KernelReach& r) const
 	const Vec2 c = centreOf(key);
 	r.x0 = roundDownToEight(c.x - radius_);
 	r.columns = roundDownToEight(c.x + radius_) + 8 - r.x0;
-	r.y0 = -roundDown(radius_ - c.y);
+	r.y0 = roundUp(c.y - radius_);
 	r.rows = roundDown(c.y + radius_) + 1 - r.y0;
 	for (int j = 0; j < r.rows; j++)
 	{

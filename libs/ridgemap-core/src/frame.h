@@ -17,6 +17,11 @@ inline int roundDown(double v)
 	const int i = int(v);
 	return i - (double(i) > v);
 }
+/** std::ceil for what fits an int. */
+inline int roundUp(double v)
+{
+	return -roundDown(-v);
+}
 
 /** Integer division that rounds towards minus infinity: the one way from a coordinate to an index. */
 inline std::int64_t floorDiv(std::int64_t a, std::int64_t b)

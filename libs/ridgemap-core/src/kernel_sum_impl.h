@@ -195,29 +195,41 @@ inline bool areChangedImpl(const NodeChanges& changes, bool wide)
 	return isAnySet(any);
 }
 
-inline bool applyChangesImpl(const NodeChanges& changes, bool wide, std::int64_t* nodes)
+template <bool wide>
+inline bool applyRows(const NodeChanges& changes, std::int64_t* nodes)
 {
 	typedef std::int64_t Int4 __attribute__((vector_size(32)));
 	typedef Int4 UnalignedInt4 __attribute__((aligned(8), may_alias));
 	typedef std::int32_t Half4 __attribute__((vector_size(16)));
 	typedef Half4 UnalignedHalf4 __attribute__((aligned(4), may_alias));
+	std::int32_t *low = changes.low, *high = changes.high;
+	const int stride = changes.stride;
 	Int4 any{};
-	for (int row = 0; row < nodesPerBlock; row++)
+	for (int row = 0; row < nodesPerBlock; row++, nodes += nodesPerBlock, low += stride)
+	{
 		for (int i = 0; i < nodesPerBlock; i += 4)
 		{
-			UnalignedInt4& sum = *reinterpret_cast<UnalignedInt4*>(nodes + row * nodesPerBlock + i);
-			UnalignedHalf4& low = *reinterpret_cast<UnalignedHalf4*>(changes.low + row * changes.stride + i);
-			sum += __builtin_convertvector((Half4)low, Int4);
-			low = Half4{};
+			UnalignedHalf4& change = *reinterpret_cast<UnalignedHalf4*>(low + i);
+			UnalignedInt4& node = *reinterpret_cast<UnalignedInt4*>(nodes + i);
+			Int4 sum = node + __builtin_convertvector((Half4)change, Int4);
+			change = Half4{};
 			if (wide)
 			{
-				UnalignedHalf4& high = *reinterpret_cast<UnalignedHalf4*>(changes.high + row * changes.stride + i);
-				sum += __builtin_convertvector((Half4)high, Int4) * (std::int64_t(1) << NodeChanges::highShift);
-				high = Half4{};
+				UnalignedHalf4& rest = *reinterpret_cast<UnalignedHalf4*>(high + i);
+				sum += __builtin_convertvector((Half4)rest, Int4) * (std::int64_t(1) << NodeChanges::highShift);
+				rest = Half4{};
 			}
+			node = sum;
 			any |= sum;
 		}
+		if (wide) high += stride;
+	}
 	return isAnySet((Int8)any);
+}
+
+inline bool applyChangesImpl(const NodeChanges& changes, bool wide, std::int64_t* nodes)
+{
+	return wide ? applyRows<true>(changes, nodes) : applyRows<false>(changes, nodes);
 }
 
 /** The integers as double precision numbers, rounded to the nearest. */

@@ -20,6 +20,13 @@ void checkCoordinates(const Measurement& m, std::size_t index)
 	  << " m; leave out invalid returns or move the origin of the map";
 	throw std::invalid_argument(s.str());
 }
+
+/** Sorts the blocks and leaves one of each. */
+void sortOut(std::vector<BlockIndex>& blocks)
+{
+	std::sort(blocks.begin(), blocks.end());
+	blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+}
 }  // namespace
 
 Lattice::Lattice(const Options& options)
@@ -220,14 +227,19 @@ std::vector<TileKey> Lattice::makeTilesInReach(const std::vector<BlockIndex>& bl
 	std::vector<TileKey> made;
 	for (const BlockIndex& b : blocks)
 	{
-		KernelSpreader::Box box{0, 1, 0, 1};
+		std::int64_t x0 = grid_.cellsPerBlock(), x1 = 0, y0 = x0, y1 = 0;
 		for (const Cell& c : blockAt(b).before)
 		{
-			const KernelSpreader::Box r = spreader_.blocksInReach(c.key);
-			box = {std::min(box.x0, r.x0), std::max(box.x1, r.x1), std::min(box.y0, r.y0), std::max(box.y1, r.y1)};
+			x0 = std::min(x0, cellColumn(c.key));
+			x1 = std::max(x1, cellColumn(c.key));
+			y0 = std::min(y0, cellRow(c.key));
+			y1 = std::max(y1, cellRow(c.key));
 		}
-		const TileKey low = tiles_.tileOfBlock(b.x + box.x0, b.y + box.y0),
-					  high = tiles_.tileOfBlock(b.x + box.x1 - 1, b.y + box.y1 - 1);
+		if (x0 > x1) continue;
+		const KernelSpreader::Box first = spreader_.blocksInReach(makeCellKey(0, x0, y0)),
+								  last = spreader_.blocksInReach(makeCellKey(0, x1, y1));
+		const TileKey low = tiles_.tileOfBlock(b.x + first.x0, b.y + first.y0),
+					  high = tiles_.tileOfBlock(b.x + last.x1 - 1, b.y + last.y1 - 1);
 		for (TileKey key{low.x, low.y}; key.y <= high.y; key.y++)
 			for (key.x = low.x; key.x <= high.x; key.x++)
 			{
@@ -257,6 +269,7 @@ Lattice::Changes Lattice::refresh(unsigned threads)
 			block.rebuild(grid_);
 			if (grid_.compacts()) spreadChanges(b, scratch[thread], tile);
 		}
+		sortOut(tile.touched);
 	};
 	for (std::size_t first = 0, last; first < list.size(); first = last)
 	{
@@ -269,8 +282,7 @@ Lattice::Changes Lattice::refresh(unsigned threads)
 		changes.values.insert(changes.values.end(), tile.touched.begin(), tile.touched.end());
 	}
 	if (!grid_.compacts()) changes.values = changes.cells;
-	std::sort(changes.values.begin(), changes.values.end());
-	changes.values.erase(std::unique(changes.values.begin(), changes.values.end()), changes.values.end());
+	sortOut(changes.values);
 	const auto isEmpty = [](const Block& b) { return b.nodes.empty() && b.cells.empty(); };
 	for (const TileKey& key : made)
 		if (const auto& b = tiles_.find(key)->blocks; std::all_of(b.begin(), b.end(), isEmpty)) tiles_.remove(key);

@@ -87,7 +87,8 @@ class Lattice
 	{
 		TileKey key;
 		int colour = 0;  ///< tiles of the same colour reach no common block
-		std::vector<BlockIndex> blocks, touched;
+		std::vector<BlockIndex> blocks;
+		std::vector<BlockIndex> touched;  ///< blocks where L changed
 		std::size_t kernels = 0;
 	};
 	std::vector<TileChanges> changesByTile(const std::vector<BlockIndex>& blocks) const;

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "vec2.h"
+#include "frame.h"
 
 namespace ridgemap
 {
@@ -41,11 +41,11 @@ class PlaceSet
 	{
 		const double cx = (p.x + origin_) * perSigma - 0.5, cy = (p.y + origin_) * perSigma - 0.5;
 		const double r = radius * perSigma;
-		const int last = std::min(side_ - 1, int(std::floor(cy + r)));
-		for (int y = std::max(0, int(std::ceil(cy - r))); y <= last; y++)
+		const int last = std::min(side_ - 1, roundDown(cy + r));
+		for (int y = std::max(0, roundUp(cy - r)); y <= last; y++)
 		{
 			const double half = std::sqrt(std::max(0.0, r * r - (y - cy) * (y - cy)));
-			const int x0 = std::max(0, int(std::ceil(cx - half))), x1 = std::min(side_ - 1, int(std::floor(cx + half)));
+			const int x0 = std::max(0, roundUp(cx - half)), x1 = std::min(side_ - 1, roundDown(cx + half));
 			if (x0 <= x1) addSpan(y, x0, x1);
 		}
 	}
@@ -53,14 +53,14 @@ class PlaceSet
 	/** Adds the squares whose middle is at most about `radius` from the segment a-b. */
 	void addCapsule(Vec2 a, Vec2 b, double radius)
 	{
-		const int steps = std::max(1, int(std::ceil(norm(b - a) * 2 * perSigma / (1 + perSigma * radius))));
+		const int steps = std::max(1, roundUp(norm(b - a) * 2 * perSigma / (1 + perSigma * radius)));
 		for (int i = 0; i <= steps; i++) addDisc(a + (double(i) / steps) * (b - a), radius);
 	}
 
  private:
 	static constexpr int perSigma = 4;
 
-	int index(double coordinate) const { return int(std::floor((coordinate + origin_) * perSigma)); }
+	int index(double coordinate) const { return roundDown((coordinate + origin_) * perSigma); }
 
 	void addSpan(int y, int x0, int x1)
 	{

@@ -2,9 +2,9 @@
 #include "tile_update.h"
 
 #include <algorithm>
-#include <map>
 #include <memory>
 #include <set>
+#include <unordered_map>
 
 #include "border.h"
 #include "parallel.h"
@@ -34,41 +34,67 @@ struct Work
 	}
 };
 
-/** Marks the blocks in the tiles whose field looks at them: those at most `reach` blocks away. */
-void markDependents(const std::vector<BlockIndex>& blocks, int reach, int halo, const TileStore& tiles,
-					std::map<TileKey, BlockMask>& masks)
+/** Collects the tiles whose field looks at something that changed. */
+class Dependents
 {
-	const int perEdge = tiles.blocksPerEdge();
-	for (const BlockIndex& b : blocks)
+ public:
+	Dependents(TileStore& tiles, int halo) : tiles_(tiles), halo_(halo) {}
+
+	/** Marks the blocks in the tiles that are at most `reach` blocks away. */
+	void mark(const std::vector<BlockIndex>& blocks, int reach)
 	{
-		const TileKey low = tiles.tileOfBlock(b.x - reach, b.y - reach),
-					  high = tiles.tileOfBlock(b.x + reach, b.y + reach);
-		for (std::int32_t y = low.y; y <= high.y; y++)
-			for (std::int32_t x = low.x; x <= high.x; x++)
-			{
-				BlockMask& mask = masks.try_emplace({x, y}, perEdge + 2 * halo).first->second;
-				const int column = int(b.x - std::int64_t(x) * perEdge) + halo;
-				mask.add(int(b.y - std::int64_t(y) * perEdge) + halo, column, column);
-			}
+		const int perEdge = tiles_.blocksPerEdge();
+		for (const BlockIndex& b : blocks)
+		{
+			const TileKey low = tiles_.tileOfBlock(b.x - reach, b.y - reach),
+						  high = tiles_.tileOfBlock(b.x + reach, b.y + reach);
+			for (std::int32_t y = low.y; y <= high.y; y++)
+				for (std::int32_t x = low.x; x <= high.x; x++)
+				{
+					const int column = int(b.x - std::int64_t(x) * perEdge) + halo_;
+					at({x, y}).changed.add(int(b.y - std::int64_t(y) * perEdge) + halo_, column, column);
+				}
+		}
 	}
-}
+
+	/** In canonical order. */
+	std::vector<Work> take()
+	{
+		std::sort(works_.begin(), works_.end(), [](const Work& a, const Work& b) { return a.key < b.key; });
+		return std::move(works_);
+	}
+
+ private:
+	Work& at(TileKey key)
+	{
+		// Most blocks lie in the tile of the one before.
+		if (last_ < works_.size() && works_[last_].key == key) return works_[last_];
+		last_ = indices_.try_emplace(key, works_.size()).first->second;
+		if (last_ == works_.size())
+		{
+			works_.emplace_back();
+			works_.back().key = key;
+			works_.back().tile = &tiles_.at(key);
+			works_.back().changed = BlockMask(tiles_.blocksPerEdge() + 2 * halo_);
+		}
+		return works_[last_];
+	}
+
+	TileStore& tiles_;
+	int halo_;
+	std::vector<Work> works_;
+	std::unordered_map<TileKey, std::size_t, TileKeyHash> indices_;
+	std::size_t last_ = 0;
+};
 
 /** Tiles whose field can reach something that changed, in canonical order. */
 std::vector<Work> dependentTiles(const Lattice::Changes& changes, TileStore& tiles, const Options& options)
 {
 	const int halo = TileField::haloBlocks(options.cutoff);
-	std::map<TileKey, BlockMask> masks;
-	markDependents(changes.cells, halo, halo, tiles, masks);
-	markDependents(changes.values, CellGrid(options).compacts() ? TileField::haloOfNodes() : halo, halo, tiles, masks);
-	std::vector<Work> result;
-	for (auto& entry : masks)
-	{
-		result.emplace_back();
-		result.back().key = entry.first;
-		result.back().changed = std::move(entry.second);
-		result.back().tile = &tiles.at(entry.first);
-	}
-	return result;
+	Dependents dependents(tiles, halo);
+	dependents.mark(changes.cells, halo);
+	dependents.mark(changes.values, CellGrid(options).compacts() ? TileField::haloOfNodes() : halo);
+	return dependents.take();
 }
 
 /** Groups of tiles that touch each other, as boxes of the map frame: the update regions. */
