@@ -4,77 +4,26 @@
 // thread for one scan: with warm caches, and to the first answer after the map took in a scan or was copied the way
 // MRPT copies maps.
 #include <benchmark/benchmark.h>
-#include <mrpt/config/CConfigFile.h>
 #include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
-#include <mrpt/maps/CSimplePointsMap.h>
-#include <mrpt/obs/CActionCollection.h>
-#include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt/obs/CRawlog.h>
-#include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt/poses/CPose3DPDF.h>
-#include <mrpt/slam/CMetricMapBuilderICP.h>
 #include <ridgemap/CRidgePointsMap.h>
 
 #include <cstdio>
-#include <ctime>
-#include <filesystem>
 #include <functional>
+
+#include "one_loop.h"
+#include "ratio_reporter.h"
 
 namespace
 {
 using mrpt::maps::CMetricMap;
 using mrpt::poses::CPose2D;
-using mrpt::poses::CPose3D;
-
-const char* const rawlogFile = "/usr/share/mrpt/datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog";
-
-struct SeenScan
-{
-	mrpt::obs::CObservation2DRangeScan::Ptr scan;
-	CPose3D pose;
-	mrpt::maps::CSimplePointsMap points;  ///< robot frame
-};
-
-double cpuSeconds()
-{
-	timespec t;
-	clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-	return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
-
-/** The scans at the poses that ICP-SLAM on a ridge map gives them. */
-std::vector<SeenScan> replay()
-{
-	const mrpt::config::CConfigFile config(RIDGEMAP_CONFIG "/icp-slam/ridge-points.ini");
-	mrpt::slam::CMetricMapBuilderICP slam;
-	slam.setMinLoggingLevel(mrpt::system::LVL_ERROR);
-	slam.ICP_params.loadFromConfigFile(config, "ICP");
-	slam.ICP_options.loadFromConfigFile(config, "MappingApplication");
-	slam.initialize();
-	mrpt::obs::CRawlog rawlog;
-	rawlog.loadFromRawLogFile(rawlogFile);
-	std::vector<SeenScan> seen;
-	mrpt::obs::CActionCollection::Ptr action;
-	mrpt::obs::CSensoryFrame::Ptr frame;
-	for (std::size_t at = 0; rawlog.getActionObservationPair(action, frame, at);)
-	{
-		slam.processActionObservation(*action, *frame);
-		SeenScan next;
-		next.scan = frame->getObservationByClass<mrpt::obs::CObservation2DRangeScan>();
-		if (!next.scan) continue;
-		next.pose = slam.getCurrentPoseEstimation()->getMeanVal();
-		next.points.insertionOptions.minDistBetweenLaserPoints = 0;
-		next.points.insertObservation(*next.scan);
-		seen.push_back(next);
-	}
-	return seen;
-}
+using ridgemap::benchmarks::cpuSeconds;
+using ridgemap::benchmarks::SeenScan;
 
 const std::vector<SeenScan>& scans()
 {
-	static const std::vector<SeenScan> all = replay();
-	return all;
+	return ridgemap::benchmarks::oneLoop();
 }
 
 CMetricMap::Ptr filled(CMetricMap::Ptr map)
@@ -201,14 +150,12 @@ void registerAll()
 
 int main(int argc, char** argv)
 {
-	if (!std::filesystem::exists(rawlogFile))
+	if (!ridgemap::benchmarks::hasOneLoop())
 	{
 		std::fprintf(stderr, "the sample data of Debian's package mrpt-common are not installed\n");
 		return 77;
 	}
 	ridgemap::registerMapClasses();
 	registerAll();
-	benchmark::Initialize(&argc, argv);
-	benchmark::RunSpecifiedBenchmarks();
-	return 0;
+	return ridgemap::benchmarks::runWithRatios(argc, argv);
 }

@@ -1,21 +1,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cost of a map update and of its parts, by the number of measurements in the update region (paper section VI-D).
+// Cost of a map update by the number of measurements in its region (paper section VI-D), beside its floor: the
+// evaluations and changed cells that it reports, times what one of each costs in a tight loop of the same process.
 #include <benchmark/benchmark.h>
 #include <ridgemap/ridge_map.h>
 
+#include <algorithm>
+#include <memory>
 #include <random>
+#include <string>
+
+#include "kernel_sum_impl.h"
+#include "mean_shift.h"
+#include "ratio_reporter.h"
 
 namespace
 {
+using namespace ridgemap;
+using benchmarks::cpuSeconds;
+
 /** Length of wall that a sensor in the middle of a 6 m wide hallway sees on each side with a field of view of 4 m. */
 constexpr double seenLength = 5.3;
 
 /** Measurements of both walls with 0.02 m of noise across. */
-std::vector<ridgemap::Measurement> hallway(std::mt19937& random, std::size_t count)
+std::vector<Measurement> hallway(std::mt19937& random, std::size_t count)
 {
 	std::uniform_real_distribution<double> along(0, seenLength);
 	std::normal_distribution<double> across(0, 0.02);
-	std::vector<ridgemap::Measurement> result(count);
+	std::vector<Measurement> result(count);
 	for (std::size_t i = 0; i < count; i++)
 	{
 		result[i].x = along(random);
@@ -24,51 +35,212 @@ std::vector<ridgemap::Measurement> hallway(std::mt19937& random, std::size_t cou
 	return result;
 }
 
-ridgemap::RidgeMap knownHallway(std::mt19937& random)
+/** Walls of rooms of 5 m by 5 m, `rooms` along each side, away from the hallway. */
+std::vector<Measurement> building(std::mt19937& random, int rooms, std::size_t count)
 {
-	ridgemap::RidgeMap map;
-	map.insert(hallway(random, 10000));
+	std::uniform_real_distribution<double> along(0, 5.0 * rooms);
+	std::uniform_int_distribution<int> wall(0, rooms);
+	std::normal_distribution<double> across(0, 0.02);
+	std::vector<Measurement> result(count);
+	for (std::size_t i = 0; i < count; i++)
+	{
+		double a = along(random), b = 5.0 * wall(random) + across(random);
+		if (i % 2) std::swap(a, b);
+		result[i].x = 50 + a;
+		result[i].y = b;
+	}
+	return result;
+}
+
+/** A sum of kernels and a change of a cell, over and over: what an update cannot do without. */
+struct Unit
+{
+	float nodes[64] = {};
+	KernelProfile profile, before;
+	KernelReach reach;
+	std::vector<std::int32_t> low, high;
+	std::vector<std::int64_t> nodesOfBlock;
+	CellGrid grid{Options()};
+	KernelSpreader spreader{grid, Options().cutoff};
+	SpreadScratch scratch;
+
+	Unit()
+	{
+		for (int i = 0; i < 64; i++) nodes[i] = float(i % 7);
+	}
+	KernelSums evaluate(float t) { return interpolateNodes(nodes, 8, t, 1 - t); }
+	KernelSums evaluatePortably(float t) { return interpolateNodesImpl(nodes, 8, t, 1 - t); }
+	/** A cell that is known gets one measurement more. */
+	void spread(std::uint32_t i)
+	{
+		const auto nodesOf = [&](int, int) -> std::vector<std::int64_t>& { return nodesOfBlock; };
+		const CellKey key = makeCellKey(0, i % 16, i / 16 % 16);
+		const std::int64_t n = 3 + i % 5;
+		spreader.spread(key, {std::uint32_t(n), n, n, n, 0, n}, {std::uint32_t(n + 1), n, n + 1, n, 0, n}, scratch,
+						nodesOf);
+		if (i % 6 == 5) spreader.finish(scratch, nodesOf);  // about so many cells of a block change in a scan
+	}
+};
+
+template <class Fn>
+double secondsOf(int count, Fn fn)
+{
+	double best = 1e9;
+	for (int repeat = 0; repeat < 5; repeat++)
+	{
+		const double start = cpuSeconds();
+		for (int i = 0; i < count; i++) fn(i);
+		best = std::min(best, (cpuSeconds() - start) / count);
+	}
+	return best;
+}
+
+/** What an update costs at least [s]: a changed cell counts as two kernels, before and after. */
+double floorOf(const UpdateResult& r)
+{
+	static Unit unit;
+	static const double evaluation =
+		secondsOf(20000, [](int i) { benchmark::DoNotOptimize(unit.evaluate(float(i % 64) / 64)); });
+	static const double kernel = 0.5 * secondsOf(2000, [](int i) { unit.spread(std::uint32_t(i)); });
+	return evaluation * double(r.evaluations) + kernel * double(r.kernels);
+}
+
+void evaluations(benchmark::State& state, bool portable)
+{
+	Unit unit;
+	int i = 0;
+	for (auto _ : state)
+	{
+		const float t = float(i++ % 64) / 64;
+		benchmark::DoNotOptimize(portable ? unit.evaluatePortably(t) : unit.evaluate(t));
+	}
+}
+
+void spreading(benchmark::State& state)
+{
+	Unit unit;
+	std::uint32_t i = 0;
+	for (auto _ : state) unit.spread(i++);
+}
+
+/** Inserts a scan of `count` measurements into a known hallway and brings the polylines up to date; `elsewhere` and
+ * `known` are what the map holds besides. The median is reported. */
+void updates(benchmark::State& state, std::size_t count, std::size_t known, std::size_t elsewhere, bool freeSpace)
+{
+	std::mt19937 random(1);
+	Options options;
+	options.freeSpace = freeSpace;
+	RidgeMap map(options);
+	map.insert(hallway(random, known));
+	if (elsewhere > 0) map.insert(building(random, 20, elsewhere));
 	map.update();
-	return map;
+	UpdateResult total;
+	std::vector<double> seconds;
+	for (auto _ : state)
+	{
+		seconds.clear();
+		total = {};
+		for (int i = 0; i < 31; i++)
+		{
+			const auto scan = hallway(random, count);
+			const double start = cpuSeconds();
+			map.insert(scan);
+			const UpdateResult r = map.update();
+			seconds.push_back(cpuSeconds() - start);
+			total += r;
+			map.erase(scan);
+			map.update();
+		}
+		std::sort(seconds.begin(), seconds.end());
+		state.SetIterationTime(seconds[seconds.size() / 2]);
+	}
+	const double n = double(seconds.size()), least = floorOf(total) / n;
+	state.counters["tiles"] = double(total.tiles) / n;
+	state.counters["evaluations"] = double(total.evaluations) / n;
+	state.counters["kernels"] = double(total.kernels) / n;
+	state.counters["floor [ms]"] = 1e3 * least;
+	state.counters["time [ms]"] = 1e3 * seconds[seconds.size() / 2];
+	state.counters["times the floor"] = seconds[seconds.size() / 2] / least;
 }
 
-/** Inserts a scan of that many measurements into a known hallway and brings the polylines up to date. */
-void insertAndUpdate(benchmark::State& state)
+/** Brings all polylines of a building of 100 m by 100 m up to date at once, by the clock. */
+void wholeMap(benchmark::State& state, unsigned threads)
 {
-	std::mt19937 random(1);
-	ridgemap::RidgeMap map = knownHallway(random);
-	ridgemap::UpdateResult total;
+	std::mt19937 random(2);
+	const auto measurements = building(random, 20, 1000000);
 	for (auto _ : state)
 	{
 		state.PauseTiming();
-		const auto scan = hallway(random, std::size_t(state.range(0)));
+		auto map = std::make_unique<RidgeMap>();
+		map->insert(measurements);
 		state.ResumeTiming();
+		map->update(threads);
+		state.PauseTiming();
+		map.reset();
+		state.ResumeTiming();
+	}
+}
+
+/** All ridges of measurements that are new. */
+void trace(benchmark::State& state, std::size_t count)
+{
+	std::mt19937 random(3);
+	const auto scan = hallway(random, count);
+	for (auto _ : state)
+	{
+		RidgeMap map;
 		map.insert(scan);
-		total += map.update();
-		state.PauseTiming();
-		map.erase(scan);
-		map.update();
-		state.ResumeTiming();
+		benchmark::DoNotOptimize(map.update());
 	}
-	const auto perUpdate = [](std::size_t n)
-	{ return benchmark::Counter(double(n), benchmark::Counter::kAvgIterations); };
-	state.counters["evaluations"] = perUpdate(total.evaluations);
-	state.counters["kernels"] = perUpdate(total.kernels);
-	state.counters["tiles"] = perUpdate(total.tiles);
 }
-BENCHMARK(insertAndUpdate)->Arg(25)->Arg(100)->Arg(400)->Arg(1600)->Unit(benchmark::kMicrosecond);
 
-/** L and its derivatives at one point of a wall. */
-void evaluateOccupancy(benchmark::State& state)
+void traceByMeanShift(benchmark::State& state, std::size_t count)
 {
-	std::mt19937 random(1);
-	const ridgemap::RidgeMap map = knownHallway(random);
-	double x = 0;
+	std::mt19937 random(3);
+	const auto scan = hallway(random, count);
+	const Options options;
+	double evaluations = 0;
 	for (auto _ : state)
+		evaluations = double(benchmarks::meanShift(scan, options.sigma, options.effectiveEps() / 10).evaluations);
+	state.counters["evaluations"] = evaluations;
+}
+
+void registerAll()
+{
+	using benchmark::RegisterBenchmark;
+	RegisterBenchmark("evaluation/ridge map", evaluations, false);
+	RegisterBenchmark("evaluation/portable", evaluations, true);
+	RegisterBenchmark("changed cell/ridge map", spreading);
+	const auto update = [](const std::string& name, std::size_t count, std::size_t known, std::size_t elsewhere)
 	{
-		x = x < seenLength ? x + 0.01 : 0;
-		benchmark::DoNotOptimize(map.occupancy({x, 3}));
+		RegisterBenchmark(name.c_str(), updates, count, known, elsewhere, true)
+			->UseManualTime()
+			->Iterations(1)
+			->Unit(benchmark::kMicrosecond);
+	};
+	for (const int n : {25, 50, 100, 200, 400, 800, 1600, 3200, 6400})
+		update("update with measurements/" + std::to_string(n), std::size_t(n), 10000, 0);
+	update("flatness/ridge map", 400, 10000, 0);
+	update("flatness/100 times larger elsewhere", 400, 10000, 1000000);
+	update("flatness/100 times longer there", 400, 1000000, 0);
+	for (const unsigned threads : {1u, 2u})
+		RegisterBenchmark(
+			("building at once/ridge map, " + std::to_string(threads) + (threads > 1 ? " threads" : " thread")).c_str(),
+			wholeMap, threads)
+			->UseRealTime()
+			->Iterations(5)
+			->Unit(benchmark::kMillisecond);
+	for (const std::size_t n : {400u, 1600u, 6400u})
+	{
+		const std::string group = "ridges of " + std::to_string(n) + " new measurements/";
+		RegisterBenchmark((group + "ridge map").c_str(), trace, n)->Unit(benchmark::kMicrosecond);
+		RegisterBenchmark((group + "mean shift").c_str(), traceByMeanShift, n)->Unit(benchmark::kMicrosecond);
 	}
 }
-BENCHMARK(evaluateOccupancy)->Unit(benchmark::kNanosecond);
 }  // namespace
+
+int main(int argc, char** argv)
+{
+	registerAll();
+	return ridgemap::benchmarks::runWithRatios(argc, argv);
+}
