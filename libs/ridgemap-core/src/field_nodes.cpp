@@ -25,7 +25,11 @@ KernelSpreader::KernelSpreader(const CellGrid& grid, double cutoff)
 	: grid_(grid), radius_((cutoff + grid.halfExtent()) * nodesPerSigma)
 {
 	reach_ = int(std::ceil(radius_ / nodesPerBlock));
-	for (int k = 0; 0.25 * k <= radius_; k++) halfWidths_.push_back(std::sqrt(radius_ * radius_ - 0.0625 * k * k));
+	const double nodesPerCell = double(grid.edge()) / double(Frame::quantaPerSigma) * nodesPerSigma;
+	columns_ = grid.compacts() ? int(8 / nodesPerCell) : 0;
+	rows_ = grid.compacts() ? int(std::max(1.0, 1 / nodesPerCell)) : 0;
+	for (int row = 0; row < rows_; row++)
+		for (int column = 0; column < columns_; column++) reaches_.push_back(reachOf(centreOf(makeCellKey(0, column, row))));
 }
 
 /** Centre of a cell from the corner of its block [node spacings]. */
@@ -42,19 +46,29 @@ KernelSpreader::Box KernelSpreader::blocksInReach(CellKey key) const
 	return {block(c.x - radius_), block(c.x + radius_) + 1, block(c.y - radius_), block(c.y + radius_) + 1};
 }
 
-void KernelSpreader::findReach(CellKey key, KernelReach& r) const
+KernelSpreader::Window KernelSpreader::windowOf(CellKey key) const
 {
-	const Vec2 c = centreOf(key);
+	const std::int64_t column = cellColumn(key), row = cellRow(key), firstColumn = column / columns_ * columns_,
+					   firstRow = row / rows_ * rows_;
+	const KernelReach& r = reaches_[std::size_t((row - firstRow) * columns_ + column - firstColumn)];
+	const double nodesPerCell = 8.0 / columns_;
+	return {r.x0 + int(double(firstColumn) * nodesPerCell), r.y0 + int(double(firstRow) * nodesPerCell), &r};
+}
+
+KernelReach KernelSpreader::reachOf(Vec2 c) const
+{
+	KernelReach r;
 	r.x0 = roundDownToEight(c.x - radius_);
 	r.columns = roundDownToEight(c.x + radius_) + 8 - r.x0;
 	r.y0 = roundUp(c.y - radius_);
 	r.rows = roundDown(c.y + radius_) + 1 - r.y0;
 	for (int j = 0; j < r.rows; j++)
 	{
-		const double reach = halfWidths_[std::size_t(4 * std::abs(r.y0 + j - c.y))];
+		const double dy = r.y0 + j - c.y, reach = std::sqrt(radius_ * radius_ - dy * dy);
 		r.first[j] = roundDownToEight(c.x - reach) - r.x0;
 		r.last[j] = roundDownToEight(c.x + reach) + 8 - r.x0;
 	}
+	return r;
 }
 
 bool KernelSpreader::hasRoom(const CellSums& before, const CellSums& after, const SpreadScratch& s) const
@@ -75,20 +89,19 @@ void KernelSpreader::add(CellKey key, const CellSums& before, const CellSums& af
 	s.low.resize(side * side, 0);
 	if (wide) s.high.resize(side * side, 0);
 
-	KernelReach& r = s.reach;
-	findReach(key, r);
+	const Window w = windowOf(key);
 	const auto profile = [&](const CellSums& sums, KernelProfile& p) -> const KernelProfile*
 	{
 		if (sums.n == 0) return nullptr;
 		const CellMoments m = momentsOf({key, sums}, grid_);
 		const double half = 0.5 * double(Frame::blockEdge), h = 1.0 / nodesPerSigma;
 		const double vx = 1 + m.xx, vy = 1 + m.yy;
-		makeProfile({float(h * r.x0 - half - m.mean.x), float(h * r.y0 - half - m.mean.y), float(vx), float(vy),
+		makeProfile({float(h * w.x0 - half - m.mean.x), float(h * w.y0 - half - m.mean.y), float(vx), float(vy),
 					 float(m.xy), float(nodesPerKernel * m.n / std::sqrt(vx * vy))},
-					r, p);
+					*w.reach, p);
 		return &p;
 	};
-	addChanges(changesAt(s, r.x0, r.y0), wide, r, profile(after, s.after), profile(before, s.before));
+	addChanges(changesAt(s, w.x0, w.y0), wide, *w.reach, profile(after, s.after), profile(before, s.before));
 	const Box b = blocksInReach(key);
 	const bool fresh = s.x0 == s.x1;
 	s.x0 = fresh ? b.x0 : std::min(s.x0, b.x0);

@@ -33,7 +33,7 @@ struct KernelShape
 };
 
 /** Which part of the window of a cell is in reach: in row j the columns [first[j], last[j]), both multiples of 8.
- * The window begins at node (x0, y0), counted from the corner of the cell's block; x0 is a multiple of 8. */
+ * The window begins at node (x0, y0); x0 is a multiple of 8. */
 struct KernelReach
 {
 	int x0, y0, columns, rows;
@@ -87,7 +87,6 @@ class SpreadScratch
 	bool wide = false;                     ///< high parts were used
 	std::uint64_t load = 0, highLoad = 0;  ///< bounds on what is in them
 	int x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< blocks that may have changed, from that of the cells: [x0, x1) x [y0, y1)
-	KernelReach reach;
 	KernelProfile after, before;
 };
 
@@ -137,7 +136,14 @@ class KernelSpreader
  private:
 	bool hasRoom(const CellSums& before, const CellSums& after, const SpreadScratch& scratch) const;
 	void add(CellKey key, const CellSums& before, const CellSums& after, SpreadScratch& scratch) const;
-	void findReach(CellKey key, KernelReach& reach) const;
+	/** Where the window of a cell begins, counted from the corner of its block, and its rows. */
+	struct Window
+	{
+		int x0, y0;
+		const KernelReach* reach;
+	};
+	Window windowOf(CellKey key) const;
+	KernelReach reachOf(Vec2 centre) const;
 	/** Where the changes of a node are, counted from the corner of the cells' block. */
 	NodeChanges changesAt(SpreadScratch& s, int x, int y) const
 	{
@@ -150,8 +156,8 @@ class KernelSpreader
 	CellGrid grid_;
 	double radius_;  ///< farthest node that a cell reaches, from the cell's centre [node spacings]
 	int reach_;
-	/** Of the disc of that radius, for every fourth of a spacing away from its centre. */
-	std::vector<double> halfWidths_;
+	int columns_, rows_;  ///< cells in the least square whose edges are cells and, along rows, multiples of 8 nodes
+	std::vector<KernelReach> reaches_;  ///< of the cells of that square, row by row, counted from its corner
 };
 
 }  // namespace ridgemap

@@ -75,8 +75,9 @@ void Block::dropEmpty()
 
 void Block::remember(CellKey key, const CellSums& sums)
 {
+	if (before.empty() || before.back().key < key) return before.push_back({key, sums});  // as scans come, in order
 	const auto it = std::lower_bound(before.begin(), before.end(), key, keyLess);
-	if (it == before.end() || it->key != key) before.insert(it, Cell{key, sums});
+	if (it->key != key) before.insert(it, Cell{key, sums});
 }
 
 void Block::rebuild(const CellGrid& grid)

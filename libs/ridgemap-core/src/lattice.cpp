@@ -129,11 +129,9 @@ const Block* Lattice::findBlock(BlockIndex b) const
 }
 
 /** The sums of a cell after a change; throws if they cannot be. */
-CellSums Lattice::changed(const Delta& d, int sign) const
+CellSums Lattice::changed(const CellSums& now, const Delta& d, int sign) const
 {
-	const Block* block = findBlock(d.block);
-	const Cell* cell = block ? block->find(d.key) : nullptr;
-	CellSums s = cell ? cell->sums : CellSums{};
+	CellSums s = now;
 	if (sign > 0)
 	{
 		if (s.n + d.n > maxCountPerCell)
@@ -158,21 +156,34 @@ CellSums Lattice::changed(const Delta& d, int sign) const
 
 void Lattice::apply(std::vector<Delta> list, int sign)
 {
+	// The list is sorted: what belongs to the same block is looked up once.
 	std::vector<CellSums> after;
 	after.reserve(list.size());
-	for (const Delta& d : list) after.push_back(changed(d, sign));
+	const Block* present = nullptr;
 	for (std::size_t i = 0; i < list.size(); i++)
 	{
 		const Delta& d = list[i];
-		Tile& tile = tiles_.at(tiles_.tileOfBlock(d.block.x, d.block.y));
-		Block& block = tile.blocks[slot(d.block)];
-		CellSums& sums = block.findOrAdd(d.key);
-		if (grid_.compacts()) block.remember(d.key, sums);
-		if (sums.n == 0) tile.cellCount++;
-		if (after[i].n == 0) tile.cellCount--;
+		if (i == 0 || !(d.block == list[i - 1].block)) present = findBlock(d.block);
+		const Cell* cell = present ? present->find(d.key) : nullptr;
+		after.push_back(changed(cell ? cell->sums : CellSums{}, d, sign));
+	}
+	Tile* tile = nullptr;
+	Block* block = nullptr;
+	for (std::size_t i = 0; i < list.size(); i++)
+	{
+		const Delta& d = list[i];
+		if (i == 0 || !(d.block == list[i - 1].block))
+		{
+			tile = &tiles_.at(tiles_.tileOfBlock(d.block.x, d.block.y));
+			block = &tile->blocks[slot(d.block)];
+			changed_.insert(d.block);
+		}
+		CellSums& sums = block->findOrAdd(d.key);
+		if (grid_.compacts()) block->remember(d.key, sums);
+		if (sums.n == 0) tile->cellCount++;
+		if (after[i].n == 0) tile->cellCount--;
 		measurements_ += std::uint64_t(after[i].n) - sums.n;
 		sums = after[i];
-		changed_.insert(d.block);
 	}
 }
 

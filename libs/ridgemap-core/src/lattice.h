@@ -78,7 +78,7 @@ class Lattice
 	/** Sorts by cell and adds up what goes to the same one. */
 	static void combine(std::vector<Delta>& deltas);
 	void apply(std::vector<Delta> deltas, int sign);
-	CellSums changed(const Delta& d, int sign) const;
+	CellSums changed(const CellSums& now, const Delta& d, int sign) const;
 	const Block* findBlock(BlockIndex b) const;
 	std::size_t slot(BlockIndex b) const;
 	Block& blockAt(BlockIndex b) { return tiles_.at(tiles_.tileOfBlock(b.x, b.y)).blocks[slot(b)]; }
