@@ -102,7 +102,8 @@ double median(std::vector<double> v)
 }
 
 /** Median time of taking in a scan; `after` is done for every scan. */
-void insertScans(benchmark::State& state, GetScans get, const MakeMap& make, const std::function<void(CMetricMap&)>& after)
+void insertScans(benchmark::State& state, GetScans get, const MakeMap& make,
+				 const std::function<void(CMetricMap&)>& after)
 {
 	const Scans& scans = get();
 	for (auto _ : state)

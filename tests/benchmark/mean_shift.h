@@ -14,8 +14,8 @@ struct MeanShiftResult
 	std::size_t evaluations = 0;  ///< of the density and its derivatives
 };
 
-/** Plain subspace-constrained mean shift: every measurement climbs along the eigenvector across the ridge until it moves
- * by less than `tolerance` [m], with sums over all measurements within 5 sigma, found in a grid. */
+/** Plain subspace-constrained mean shift: every measurement climbs along the eigenvector across the ridge until it
+ * moves by less than `tolerance` [m], with sums over all measurements within 5 sigma, found in a grid. */
 MeanShiftResult meanShift(const std::vector<Measurement>& measurements, double sigma, double tolerance);
 
 }  // namespace ridgemap::benchmarks

@@ -28,7 +28,8 @@ class RatioReporter : public benchmark::ConsoleReporter
 			if (slash == std::string::npos) continue;
 			const std::string group = name.substr(0, slash);
 			if (groups_.find(group) == groups_.end()) order_.push_back(group);
-			groups_[group].push_back({name.substr(slash + 1), r.real_accumulated_time / double(r.iterations), r.counters});
+			groups_[group].push_back(
+				{name.substr(slash + 1), r.real_accumulated_time / double(r.iterations), r.counters});
 		}
 	}
 

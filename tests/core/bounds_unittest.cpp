@@ -92,8 +92,8 @@ TEST(Bounds, APlaceThatWasSeenALongTimeCostsWhatItsCellsCost)
 		const auto scan = wall(random, 5, 400);
 		map.insert(scan);
 		const UpdateResult r = map.update();
-		std::cout << count << " measurements of 5 m: " << r.evaluations << " evaluations, " << r.kernels
-				  << " kernels, " << r.seeds << " seeds\n";
+		std::cout << count << " measurements of 5 m: " << r.evaluations << " evaluations, " << r.kernels << " kernels, "
+				  << r.seeds << " seeds\n";
 		EXPECT_LE(r.kernels, 2 * scan.size());
 		evaluations[i++] = r.evaluations;
 	}

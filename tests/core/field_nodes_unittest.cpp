@@ -313,6 +313,44 @@ TEST(FieldNodes, AreFreedWhenTheyAreZeroAgain)
 		for (const Block& b : lattice.tiles().find(key)->blocks) EXPECT_TRUE(b.nodes.empty() && b.cells.empty());
 }
 
+TEST(FieldNodes, AreMadeOnSeveralThreadsToTheSameBits)
+{
+	// With the smallest tiles and the largest cut-off, kernels reach farthest into the tiles around.
+	for (const double tileEdge : {12.0, 16.0})
+		for (const double cutoff : {5.0, 8.0})
+		{
+			Options o;
+			o.tileEdge = tileEdge;
+			o.cutoff = cutoff;
+			Random random(7);
+			std::vector<Measurement> first(3000), second(3000);
+			for (auto* list : {&first, &second})
+				for (Measurement& m : *list)
+				{
+					m.x = random.uniform(-4, 4);
+					m.y = random.uniform(-4, 4);
+				}
+			Lattice alone(o), shared(o);
+			for (Lattice* lattice : {&alone, &shared})
+			{
+				const unsigned threads = lattice == &shared ? 3 : 1;
+				lattice->insert(first);
+				lattice->refresh(threads);
+				lattice->erase(first);
+				lattice->insert(second);
+				lattice->refresh(threads);
+			}
+			const std::vector<TileKey> keys = alone.tiles().keys();
+			ASSERT_EQ(keys, shared.tiles().keys());
+			ASSERT_GT(keys.size(), 50u);
+			for (const TileKey& key : keys)
+			{
+				const auto &a = alone.tiles().find(key)->blocks, &b = shared.tiles().find(key)->blocks;
+				for (std::size_t i = 0; i < a.size(); i++) ASSERT_EQ(a[i].nodes, b[i].nodes);
+			}
+		}
+}
+
 TEST(PlaceSet, HoldsWhatLiesNear)
 {
 	Random random(5);

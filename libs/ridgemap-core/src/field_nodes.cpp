@@ -29,7 +29,8 @@ KernelSpreader::KernelSpreader(const CellGrid& grid, double cutoff)
 	columns_ = grid.compacts() ? int(8 / nodesPerCell) : 0;
 	rows_ = grid.compacts() ? int(std::max(1.0, 1 / nodesPerCell)) : 0;
 	for (int row = 0; row < rows_; row++)
-		for (int column = 0; column < columns_; column++) reaches_.push_back(reachOf(centreOf(makeCellKey(0, column, row))));
+		for (int column = 0; column < columns_; column++)
+			reaches_.push_back(reachOf(centreOf(makeCellKey(0, column, row))));
 }
 
 /** Centre of a cell from the corner of its block [node spacings]. */

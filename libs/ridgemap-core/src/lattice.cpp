@@ -2,6 +2,7 @@
 #include "lattice.h"
 
 #include <algorithm>
+#include <array>
 #include <sstream>
 #include <stdexcept>
 #include <unordered_map>
@@ -19,13 +20,6 @@ void checkCoordinates(const Measurement& m, std::size_t index)
 	s << "ridge map: measurement " << index << " at (" << m.x << ", " << m.y << ") is not within +-" << maxCoordinate
 	  << " m; leave out invalid returns or move the origin of the map";
 	throw std::invalid_argument(s.str());
-}
-
-/** Sorts the blocks and leaves one of each. */
-void sortOut(std::vector<BlockIndex>& blocks)
-{
-	std::sort(blocks.begin(), blocks.end());
-	blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
 }
 }  // namespace
 
@@ -187,26 +181,51 @@ void Lattice::apply(std::vector<Delta> list, int sign)
 	}
 }
 
-/** Brings the nodes around a block up to date with its cells. */
-void Lattice::spreadChanges(BlockIndex b, SpreadScratch& scratch, TileChanges& changes)
+/** Brings the nodes around a block up to date with its cells; returns how many kernels that took. */
+template <class NodesOf>
+std::size_t Lattice::spreadChanges(Block& block, SpreadScratch& scratch, NodesOf nodesOf) const
 {
-	Block& block = blockAt(b);
-	const auto nodesOf = [&](int dx, int dy) -> std::vector<std::int64_t>&
-	{
-		const BlockIndex index{b.x + dx, b.y + dy};
-		changes.touched.push_back(index);
-		return tiles_.find(tiles_.tileOfBlock(index.x, index.y))->blocks[slot(index)].nodes;
-	};
+	std::size_t kernels = 0;
 	for (const Cell& old : block.before)
 	{
 		const Cell* now = block.find(old.key);
 		const CellSums& after = now ? now->sums : CellSums{};
 		if (after == old.sums) continue;
-		changes.kernels += std::size_t(old.sums.n > 0) + std::size_t(after.n > 0);
+		kernels += std::size_t(old.sums.n > 0) + std::size_t(after.n > 0);
 		spreader_.spread(old.key, old.sums, after, scratch, nodesOf);
 	}
 	spreader_.finish(scratch, nodesOf);
 	block.before = std::vector<Cell>();
+	return kernels;
+}
+
+/** Brings up to date what is made from the changed blocks of one tile. */
+void Lattice::refreshTile(TileChanges& changes, SpreadScratch& scratch)
+{
+	// A tile is at least as wide as a kernel reaches.
+	const std::int64_t n = tiles_.blocksPerEdge();
+	std::array<Tile*, 9> around;
+	for (int i = 0; i < 9; i++)
+		around[std::size_t(i)] = tiles_.find({changes.key.x + i % 3 - 1, changes.key.y + i / 3 - 1});
+	const BlockIndex corner{(changes.key.x - 1) * n, (changes.key.y - 1) * n};
+	std::vector<bool> touched(std::size_t(9 * n * n), false);
+	for (const BlockIndex& b : changes.blocks)
+	{
+		Block& block = around[4]->blocks[slot(b)];
+		block.dropEmpty();
+		block.rebuild(grid_);
+		if (!grid_.compacts()) continue;
+		const std::int64_t column = b.x - corner.x, row = b.y - corner.y;
+		const auto nodesOf = [&](int dx, int dy) -> std::vector<std::int64_t>&
+		{
+			const std::int64_t x = column + dx, y = row + dy;
+			touched[std::size_t(y * 3 * n + x)] = true;
+			return around[std::size_t(y / n * 3 + x / n)]->blocks[std::size_t(y % n * n + x % n)].nodes;
+		};
+		changes.kernels += spreadChanges(block, scratch, nodesOf);
+	}
+	for (std::int64_t i = 0; i < 9 * n * n; i++)
+		if (touched[std::size_t(i)]) changes.touched.push_back({corner.x + i % (3 * n), corner.y + i / (3 * n)});
 }
 
 std::vector<Lattice::TileChanges> Lattice::changesByTile(const std::vector<BlockIndex>& blocks) const
@@ -271,21 +290,11 @@ Lattice::Changes Lattice::refresh(unsigned threads)
 	const std::vector<TileKey> made = makeTilesInReach(changes.cells);
 	std::vector<TileChanges> list = changesByTile(changes.cells);
 	std::vector<SpreadScratch> scratch(std::max(1u, threads));
-	const auto refreshTile = [&](TileChanges& tile, std::size_t thread)
-	{
-		for (const BlockIndex& b : tile.blocks)
-		{
-			Block& block = blockAt(b);
-			block.dropEmpty();
-			block.rebuild(grid_);
-			if (grid_.compacts()) spreadChanges(b, scratch[thread], tile);
-		}
-		sortOut(tile.touched);
-	};
 	for (std::size_t first = 0, last; first < list.size(); first = last)
 	{
 		for (last = first; last < list.size() && list[last].colour == list[first].colour;) last++;
-		parallelFor(last - first, threads, [&](std::size_t i, std::size_t t) { refreshTile(list[first + i], t); });
+		parallelFor(last - first, threads,
+					[&](std::size_t i, std::size_t t) { refreshTile(list[first + i], scratch[t]); });
 	}
 	for (const TileChanges& tile : list)
 	{
@@ -293,7 +302,8 @@ Lattice::Changes Lattice::refresh(unsigned threads)
 		changes.values.insert(changes.values.end(), tile.touched.begin(), tile.touched.end());
 	}
 	if (!grid_.compacts()) changes.values = changes.cells;
-	sortOut(changes.values);
+	std::sort(changes.values.begin(), changes.values.end());
+	changes.values.erase(std::unique(changes.values.begin(), changes.values.end()), changes.values.end());
 	const auto isEmpty = [](const Block& b) { return b.nodes.empty() && b.cells.empty(); };
 	for (const TileKey& key : made)
 		if (const auto& b = tiles_.find(key)->blocks; std::all_of(b.begin(), b.end(), isEmpty)) tiles_.remove(key);

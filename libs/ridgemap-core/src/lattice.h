@@ -82,18 +82,20 @@ class Lattice
 	const Block* findBlock(BlockIndex b) const;
 	std::size_t slot(BlockIndex b) const;
 	Block& blockAt(BlockIndex b) { return tiles_.at(tiles_.tileOfBlock(b.x, b.y)).blocks[slot(b)]; }
-	/** The changed blocks of one tile. */
+	/** The changed blocks of one tile, and what came of them. */
 	struct TileChanges
 	{
 		TileKey key;
 		int colour = 0;  ///< tiles of the same colour reach no common block
 		std::vector<BlockIndex> blocks;
-		std::vector<BlockIndex> touched;  ///< blocks where L changed
+		std::vector<BlockIndex> touched;  ///< blocks where L changed, in canonical order
 		std::size_t kernels = 0;
 	};
+	void refreshTile(TileChanges& changes, SpreadScratch& scratch);
 	std::vector<TileChanges> changesByTile(const std::vector<BlockIndex>& blocks) const;
 	std::vector<TileKey> makeTilesInReach(const std::vector<BlockIndex>& blocks);
-	void spreadChanges(BlockIndex b, SpreadScratch& scratch, TileChanges& changes);
+	template <class NodesOf>
+	std::size_t spreadChanges(Block& block, SpreadScratch& scratch, NodesOf nodesOf) const;
 	template <class Fn>
 	void forEachBlock(Fn fn) const;
 
