@@ -5,6 +5,7 @@
 #include <mrpt/opengl/CSetOfLines.h>
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <ridgemap/drawing.h>
+#include <ridgemap/gz_archive.h>
 #include <ridgemap/polyline_csv.h>
 
 #include <filesystem>
@@ -144,8 +145,7 @@ void Outputs::writeScene(const CRidgeMap2D& map, const std::vector<std::vector<P
 			 map.getVisualizationInto(*objects);
 			 scene.insert(objects);
 			 if (!robotPaths.empty()) scene.insert(pathLines(robotPaths));
-			 if (!scene.saveToFile(file.temporaryPath()))
-				 throw std::runtime_error("cannot write '" + file.path() + "': the disk may be full");
+			 writeGzArchive(file, [&](mrpt::serialization::CArchive& out) { out << scene; });
 		 });
 }
 
@@ -154,7 +154,8 @@ void Outputs::write(const CRidgeMap2D& map, const std::vector<std::vector<Point2
 {
 	try
 	{
-		keep("ridgemap", [&](AtomicFile& file) { saveRidgeMap(file.temporaryPath(), map); });
+		keep("ridgemap",
+			 [&](AtomicFile& file) { writeGzArchive(file, [&](mrpt::serialization::CArchive& out) { out << map; }); });
 		keep("ridges", [&](AtomicFile& file) { writePolylinesCsv(file.stream(), map.ridges()); });
 		keep("walls", [&](AtomicFile& file) { writePolylinesCsv(file.stream(), map.walls()); });
 		const double sigma = map.options().sigma;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "grid_image.h"
 
-#include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/serialization/CArchive.h>
 #include <ridgemap/atomic_file.h>
+#include <ridgemap/gz_archive.h>
 
 #include <algorithm>
 #include <cmath>
@@ -114,11 +114,7 @@ void GridImage::writeGridMap(const std::string& path) const
 				grid.setPos(x, y, c == Cell::free ? 1.0f : 0.0f);
 			}
 	AtomicFile file(path);
-	{
-		mrpt::io::CFileGZOutputStream out;
-		if (!out.open(file.temporaryPath())) throw UserError("cannot write '" + path + "'", "check the directory");
-		mrpt::serialization::archiveFrom(out) << grid;
-	}
+	writeGzArchive(file, [&](mrpt::serialization::CArchive& out) { out << grid; });
 	file.commit();
 }
 

@@ -3,6 +3,7 @@
 #include <mrpt/opengl/CSetOfLines.h>
 #include <ridgemap/atomic_file.h>
 #include <ridgemap/drawing.h>
+#include <ridgemap/gz_archive.h>
 #include <ridgemap/observation_to_measurements.h>
 #include <ridgemap/simplify.h>
 
@@ -125,7 +126,7 @@ void writeScene(const std::string& path, const std::vector<Layer>& layers)
 		scene.insert(lines);
 	}
 	AtomicFile file(path);
-	if (!scene.saveToFile(file.temporaryPath())) throw UserError("cannot write '" + path + "'", "check the directory");
+	writeGzArchive(file, [&](mrpt::serialization::CArchive& out) { out << scene; });
 	file.commit();
 }
 

@@ -2,7 +2,6 @@
 #include "recording.h"
 
 #include <mrpt/core/Clock.h>
-#include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CActionCollection.h>
@@ -13,6 +12,7 @@
 #include <mrpt/poses/CPosePDFGaussian.h>
 #include <mrpt/serialization/CArchive.h>
 #include <ridgemap/atomic_file.h>
+#include <ridgemap/gz_archive.h>
 
 #include <filesystem>
 #include <stdexcept>
@@ -69,10 +69,8 @@ mrpt::poses::CPose2D mrptPose(const Pose& p)
 	return {p.x, p.y, p.phi};
 }
 
-void writeRawlog(const std::string& path, const Recording& recording, const CommandLine& c)
+void writeRawlog(mrpt::serialization::CArchive& archive, const Recording& recording, const CommandLine& c)
 {
-	mrpt::io::CFileGZOutputStream file(path);
-	auto archive = mrpt::serialization::archiveFrom(file);
 	Random random(c.seed + 1);
 	mrpt::poses::CPose2D last;
 	for (const Recording::Cycle& cycle : recording.cycles)
@@ -92,7 +90,7 @@ void writeRawlog(const std::string& path, const Recording& recording, const Comm
 	}
 }
 
-void writeSimplemap(const std::string& path, const Recording& recording, const CommandLine& c)
+void writeSimplemap(mrpt::serialization::CArchive& archive, const Recording& recording, const CommandLine& c)
 {
 	Random random(c.seed + 2);
 	mrpt::maps::CSimpleMap map;
@@ -106,7 +104,7 @@ void writeSimplemap(const std::string& path, const Recording& recording, const C
 		pose.phi += c.headingNoise * random.normal();
 		map.insert(mrpt::poses::CPosePDFGaussian::Create(mrptPose(pose)), frame);
 	}
-	if (!map.saveToFile(path)) throw std::runtime_error("cannot write '" + path + "'");
+	archive << map;
 }
 
 void writeMeasurements(std::ostream& out, const Recording& recording)
@@ -168,8 +166,8 @@ std::vector<std::string> writeRecording(const CommandLine& c, const Recording& r
 		std::filesystem::create_directories(directory);
 	AtomicFile rawlog(c.prefix + ".rawlog"), simplemap(c.prefix + ".simplemap.gz"),
 		measurements(c.prefix + "_measurements.csv"), poses(c.prefix + "_poses.txt"), truth(c.prefix + "_truth.csv");
-	writeRawlog(rawlog.temporaryPath(), recording, c);
-	writeSimplemap(simplemap.temporaryPath(), recording, c);
+	writeGzArchive(rawlog, [&](mrpt::serialization::CArchive& out) { writeRawlog(out, recording, c); });
+	writeGzArchive(simplemap, [&](mrpt::serialization::CArchive& out) { writeSimplemap(out, recording, c); });
 	writeMeasurements(measurements.stream(), recording);
 	writePoses(poses.stream(), recording);
 	writeTruth(truth.stream(), recording.truth);

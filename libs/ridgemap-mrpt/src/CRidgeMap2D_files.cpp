@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/io/CFileGZInputStream.h>
-#include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/serialization/CArchive.h>
@@ -8,6 +7,7 @@
 #include <ridgemap/CRidgeMap2D.h>
 #include <ridgemap/atomic_file.h>
 #include <ridgemap/drawing.h>
+#include <ridgemap/gz_archive.h>
 #include <ridgemap/polyline_csv.h>
 
 #include <stdexcept>
@@ -23,7 +23,7 @@ void saveScene(const CRidgeMap2D& map, const std::string& path)
 	mrpt::opengl::COpenGLScene scene;
 	scene.insert(objects);
 	AtomicFile file(path);
-	if (!scene.saveToFile(file.temporaryPath())) throw std::runtime_error("cannot write '" + path + "'");
+	writeGzArchive(file, [&](mrpt::serialization::CArchive& out) { out << scene; });
 	file.commit();
 }
 
@@ -67,12 +67,7 @@ CRidgeMap2D loadRidgeMap(const std::string& path)
 void saveRidgeMap(const std::string& path, const CRidgeMap2D& map)
 {
 	AtomicFile file(path);
-	{
-		mrpt::io::CFileGZOutputStream out;
-		if (!out.open(file.temporaryPath())) throw std::runtime_error("cannot write '" + path + "'");
-		auto archive = mrpt::serialization::archiveFrom(out);
-		archive << map;
-	}
+	writeGzArchive(file, [&](mrpt::serialization::CArchive& out) { out << map; });
 	file.commit();
 }
 
