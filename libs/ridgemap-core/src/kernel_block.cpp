@@ -80,6 +80,15 @@ void Block::remember(CellKey key, const CellSums& sums)
 	if (it->key != key) before.insert(it, Cell{key, sums});
 }
 
+void Block::forgetBefore()
+{
+	constexpr std::size_t usual = 8;
+	if (before.capacity() > usual)
+		before = std::vector<Cell>();
+	else
+		before.clear();
+}
+
 void Block::rebuild(const CellGrid& grid)
 {
 	points.clear();

@@ -118,6 +118,8 @@ struct Block
 	void dropEmpty();
 	/** Keeps what a cell held when the nodes were last brought up to date. */
 	void remember(CellKey key, const CellSums& sums);
+	/** Forgets that, but keeps memory for as much as a scan changes. */
+	void forgetBefore();
 	/** Makes the list of kernels, one for every cell, unless it is there. */
 	void makeKernels(const CellGrid& grid);
 	/** Recomputes everything that is made from the cells of this block alone. */

@@ -195,7 +195,7 @@ std::size_t Lattice::spreadChanges(Block& block, SpreadScratch& scratch, NodesOf
 		spreader_.spread(old.key, old.sums, after, scratch, nodesOf);
 	}
 	spreader_.finish(scratch, nodesOf);
-	block.before = std::vector<Cell>();
+	block.forgetBefore();
 	return kernels;
 }
 
