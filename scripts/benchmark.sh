@@ -44,7 +44,7 @@ tables_of()
 }
 
 {
-	printf 'Commit %s, %s with %s cores, %s, load %s before it began. Times are CPU time.\n' "$commit" \
+	printf 'Commit %s, %s with %s cores, %s, load %s before it began. Times are CPU\ntime, but for the building at once: by the clock, which tells about threads only while the machine is idle.\n' "$commit" \
 		"${machine:-$(uname -m)}" "$(nproc)" "$(date +%F)" "$(cut -d' ' -f1 /proc/loadavg)"
 	printf '\n### Core\n\n'
 	tables_of update_benchmark
