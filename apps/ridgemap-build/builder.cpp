@@ -7,17 +7,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <random>
 
 #include "../common/user_error.h"
+#include "interrupt.h"
 
 namespace ridgemap::apps
 {
 namespace
 {
-volatile std::sig_atomic_t interrupted = 0;
-
 std::size_t countNotFinite(const mrpt::obs::CObservation& observation)
 {
 	const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&observation);
@@ -66,9 +64,9 @@ double timeOf(Fn fn)
 
 }  // namespace
 
-Builder::Builder(CRidgeMap2D& map, const Feed& feed, std::function<void(const Measurement&)> onMeasurement,
-				 Progress& progress)
-	: map_(map), feed_(feed), onMeasurement_(std::move(onMeasurement)), progress_(progress)
+Builder::Builder(CRidgeMap2D& map, const Feed& feed, const ResumePoint& earlierRun,
+				 std::function<void(const Measurement&)> onMeasurement, Progress& progress)
+	: map_(map), feed_(feed), earlierRun_(earlierRun), onMeasurement_(std::move(onMeasurement)), progress_(progress)
 {
 }
 
@@ -83,7 +81,13 @@ ObservedScan Builder::scanOf(Frame& frame, InputReport& report) const
 		return {};
 	}
 	if (!isFinite(*frame.pose))
-		throw UserError("'" + report.path + "' holds a pose that is not finite", "repair the poses");
+	{
+		if (!feed_.keepGoing)
+			throw UserError("'" + report.path + "' holds a pose that is not finite",
+							"repair the poses, or --keep-going");
+		report.skipped["observations at a pose that is not finite"]++;
+		return {};
+	}
 	const Point2 at{frame.pose->x(), frame.pose->y()};
 	if (!canConvertToMeasurements(observation)) return {};
 	if (report.robotPath.empty() || report.robotPath.back() != at) report.robotPath.push_back(at);
@@ -97,9 +101,8 @@ void Builder::add(const std::string& path, FrameReader& reader)
 	InputReport& report = inputs_.back();
 	report.path = path;
 	progress_.start(path, "measurements");
-	for (Frame frame; reader.next(frame);)
+	for (Frame frame; goOn() && reader.next(frame);)
 	{
-		throwIfInterrupted();
 		const bool isScan = frame.observation != nullptr;
 		try
 		{
@@ -107,7 +110,7 @@ void Builder::add(const std::string& path, FrameReader& reader)
 			report.scans += isScan && !scan.measurements.empty() ? 1 : 0;
 			report.measurements += scan.measurements.size();
 			for (const Measurement& m : scan.measurements) onMeasurement_(m);
-			take(std::move(scan), isScan);
+			if (isNew(scan)) take(std::move(scan), isScan);
 		}
 		catch (const UserError&)
 		{
@@ -121,16 +124,39 @@ void Builder::add(const std::string& path, FrameReader& reader)
 	}
 	report.poseSource = reader.poseSource();
 	progress_.clear();
-	if (report.measurements == 0) failEmpty(report);
+	report.skipped.insert(reader.skipped().begin(), reader.skipped().end());
+	if (report.measurements == 0 && !stopped_) failEmpty(report);
 }
 
 void Builder::add(const std::string& path, const CRidgeMap2D& earlier)
 {
+	if (!goOn()) return;
 	inputs_.emplace_back();
 	inputs_.back().path = path;
 	inputs_.back().poseSource = "none (earlier map)";
+	if (done_.maps++ < earlierRun_.maps) return;
 	map_.merge(earlier);
 	outdated_ = true;
+}
+
+bool Builder::goOn()
+{
+	stopped_ = stopped_ || interruptedBy() != 0;
+	return !stopped_;
+}
+
+bool Builder::isNew(const ObservedScan& scan)
+{
+	done_.add(scan);
+	if (done_.frames > earlierRun_.frames) return true;
+	if (done_.frames == earlierRun_.frames && done_.hash != earlierRun_.hash) failOtherInputs();
+	return false;
+}
+
+void Builder::failOtherInputs() const
+{
+	throw UserError("the inputs or options are not those of the interrupted run",
+					"resume with the same command line, or start without --resume");
 }
 
 void Builder::take(ObservedScan&& scan, bool isScan)
@@ -147,7 +173,7 @@ void Builder::take(ObservedScan&& scan, bool isScan)
 	waiting_.insert(waiting_.end(), scan.measurements.begin(), scan.measurements.end());
 	if (feed_.shuffleSeed) return;
 	std::size_t done = 0;
-	for (; waiting_.size() - done >= feed_.batch; done += feed_.batch)
+	for (; interruptedBy() == 0 && waiting_.size() - done >= feed_.batch; done += feed_.batch)
 	{
 		const auto first = waiting_.begin() + std::ptrdiff_t(done);
 		insert(std::vector<Measurement>(first, first + std::ptrdiff_t(feed_.batch)));
@@ -162,7 +188,6 @@ void Builder::insert(const std::vector<Measurement>& measurements)
 
 void Builder::insert(const std::function<void()>& change, bool update)
 {
-	throwIfInterrupted();
 	const double milliseconds = timeOf(change);
 	updates_.insertions.push_back(milliseconds);
 	outdated_ = true;
@@ -191,34 +216,27 @@ void Builder::feedShuffled()
 	for (std::size_t i = waiting_.size(); i > 1; i--) std::swap(waiting_[i - 1], waiting_[random() % i]);
 	const std::size_t batch = feed_.batch != 0 ? feed_.batch : std::max<std::size_t>(1, (waiting_.size() + 9) / 10);
 	progress_.start("shuffled", "measurements");
-	for (std::size_t done = 0; done < waiting_.size(); done += batch)
+	for (std::size_t done = 0; done < waiting_.size();)
 	{
-		const std::size_t end = std::min(done + batch, waiting_.size());
+		// Who wants to stop gets all that was read, but in one piece.
+		const std::size_t end = interruptedBy() != 0 ? waiting_.size() : std::min(done + batch, waiting_.size());
 		insert(
 			std::vector<Measurement>(waiting_.begin() + std::ptrdiff_t(done), waiting_.begin() + std::ptrdiff_t(end)));
 		progress_.show(double(end) / double(waiting_.size()), end);
+		done = end;
 	}
 	progress_.clear();
 }
 
 void Builder::finish()
 {
+	if (behindEarlierRun() && !stopped_) failOtherInputs();
 	if (feed_.shuffleSeed)
 		feedShuffled();
 	else if (!waiting_.empty())
 		insert(waiting_);
 	waiting_ = {};
 	if (outdated_) update(0);
-}
-
-void catchInterrupts()
-{
-	for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, [](int) { interrupted = 1; });
-}
-
-void throwIfInterrupted()
-{
-	if (interrupted != 0) throw UserError("interrupted", "no file was written; start again");
 }
 
 }  // namespace ridgemap::apps

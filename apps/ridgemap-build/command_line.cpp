@@ -116,6 +116,15 @@ struct Arguments
 		"", "eps", "Bound on the distance of every polyline point to the true ridge, in metres", false, "", "M", cmd};
 	TCLAP::ValueArg<std::string> sigma{
 		"", "sigma", "Smoothing parameter in metres: 2.5 to 3 times the noise across a wall", false, "", "M", cmd};
+	TCLAP::SwitchArg keepGoing{
+		"", "keep-going",
+		"Use what can be read of rawlogs and simplemaps that are cut off or damaged, have holes, objects of wrong "
+		"classes or times that run backwards, and say how much was left out; otherwise these are errors",
+		cmd};
+	TCLAP::SwitchArg resume{"", "resume",
+							"Continue an interrupted run, given the same command line: the files come out as if it had "
+							"not been interrupted",
+							cmd};
 	TCLAP::SwitchArg dumpConfig{"", "dump-config", "Print the commented INI file of all map options and exit", cmd};
 	TCLAP::ValueArg<std::string> config{"",
 										"config",
@@ -178,6 +187,8 @@ CommandLine readArguments(Arguments& a)
 	c.showRemoved = a.showRemoved.getValue();
 	c.showFree = a.showFree.getValue();
 	if (a.keepLast.isSet()) parseKeepLast(a.keepLast.getValue(), c);
+	c.keepGoing = a.keepGoing.getValue();
+	c.resume = a.resume.getValue();
 	c.quiet = a.quiet.getValue();
 	c.dumpConfig = a.dumpConfig.getValue();
 	return c;

@@ -29,6 +29,8 @@ struct CommandLine
 	unsigned keepScans = 0;    ///< scans to keep; 0: all
 	double keepSeconds = 0;    ///< age of scans to keep [s]; 0: any
 	bool errors = false;       ///< colour the walls in the pictures by their standard errors
+	bool keepGoing = false;    ///< leave out what cannot be used of an input
+	bool resume = false;       ///< continue an interrupted run
 	bool quiet = false;
 	bool dumpConfig = false;
 };

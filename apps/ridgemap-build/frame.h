@@ -5,6 +5,7 @@
 #include <mrpt/poses/CPose3D.h>
 #include <ridgemap/types.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,6 +32,11 @@ class FrameReader
 	virtual double fraction() const = 0;
 	/** Where the poses come from, for the report. */
 	virtual std::string poseSource() const = 0;
+	/** What was left out because the reader was told to keep going, and how much of it. */
+	const std::map<std::string, std::size_t>& skipped() const { return skipped_; }
+
+ protected:
+	std::map<std::string, std::size_t> skipped_;
 };
 
 }  // namespace ridgemap::apps

@@ -28,14 +28,14 @@ InputKind kindOf(const std::string& path)
 	return found->second;
 }
 
-std::unique_ptr<FrameReader> openReader(const std::string& path, const PoseChoice& poses)
+std::unique_ptr<FrameReader> openReader(const std::string& path, const PoseChoice& poses, bool keepGoing)
 {
 	switch (kindOf(path))
 	{
 		case InputKind::simplemap:
-			return std::make_unique<SimpleMapReader>(path);
+			return std::make_unique<SimpleMapReader>(path, keepGoing);
 		case InputKind::rawlog:
-			return std::make_unique<RawlogReader>(path, poses);
+			return std::make_unique<RawlogReader>(path, poses, keepGoing);
 		case InputKind::points:
 			return std::make_unique<PointsReader>(path);
 		case InputKind::ridgemap:

@@ -23,7 +23,8 @@ enum class InputKind
 /** The kind by the extension, `.gz` at the end left out. Throws UserError for an unknown one. */
 InputKind kindOf(const std::string& path);
 
-/** Opens an input of any kind but a ridge map. */
-std::unique_ptr<FrameReader> openReader(const std::string& path, const PoseChoice& poses);
+/** Opens an input of any kind but a ridge map.
+ * @param keepGoing what cannot be used of rawlogs and simplemaps is left out and counted, instead of an error */
+std::unique_ptr<FrameReader> openReader(const std::string& path, const PoseChoice& poses, bool keepGoing = false);
 
 }  // namespace ridgemap::apps

@@ -12,6 +12,7 @@
 #include "builder.h"
 #include "command_line.h"
 #include "inputs.h"
+#include "interrupt.h"
 #include "map_settings.h"
 #include "outputs.h"
 #include "stats.h"
@@ -72,32 +73,64 @@ std::string titleOf(const CommandLine& c, const CRidgeMap2D& map)
 	return title + figures;
 }
 
-void build(const CommandLine& c, const MapSettings& settings, const EarlierMaps& maps, Outputs& outputs)
+/** The map to start with: empty, or that of the run to continue. */
+InterruptedRun startOf(const CommandLine& c, const MapOptions& options)
+{
+	if (!c.resume) return {{}, CRidgeMap2D(options)};
+	InterruptedRun earlier = readResume(Outputs::resumePath(c.prefix));
+	if (iniText(earlier.map.mapOptions()) != iniText(options))
+		throw UserError("the options are not those of the interrupted run",
+						"resume with the same command line, or start without --resume");
+	return earlier;
+}
+
+/** Says on stderr how an interrupted run ended and gives its return code, as a shell would. */
+int endInterrupted(const std::string& how)
+{
+	std::fprintf(stderr, "ridgemap-build: interrupted by %s; %s\n", interruptName().c_str(), how.c_str());
+	return 128 + interruptedBy();
+}
+
+int build(const CommandLine& c, const MapSettings& settings, const EarlierMaps& maps, Outputs& outputs)
 {
 	const auto start = std::chrono::steady_clock::now();
 	PoseChoice poses = choosePoses(c, settings);
 	poses.map = chooseOptions(c, settings, maps);
-	const Feed feed{c.shuffleSeed, c.batch, c.threads, c.everyScan};
-	CRidgeMap2D map(poses.map);
+	const Feed feed{c.shuffleSeed, c.batch, c.threads, c.everyScan, c.keepGoing};
+	InterruptedRun run = startOf(c, poses.map);
+	CRidgeMap2D& map = run.map;
 	map.setThreads(c.threads);
 	Progress progress(!c.quiet);
 	Builder builder(
-		map, feed, [&](const Measurement& m) { outputs.addMeasurement(m); }, progress);
+		map, feed, run.point, [&](const Measurement& m) { outputs.addMeasurement(m); }, progress);
 	for (const std::string& path : c.inputs)
-		if (const auto earlier = maps.find(path); earlier != maps.end())
+		if (!builder.goOn())
+			break;
+		else if (const auto earlier = maps.find(path); earlier != maps.end())
 			builder.add(path, earlier->second);
 		else
-			builder.add(path, *openReader(path, poses));
+			builder.add(path, *openReader(path, poses, c.keepGoing));
 	builder.finish();
+	if (builder.stopped() && builder.behindEarlierRun())
+		return endInterrupted("before it was as far as the earlier run; its files stay as they are");
+	if (builder.stopped() && map.isEmpty())
+		return endInterrupted("there were no measurements yet, and no file was written");
 
 	const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 	std::vector<std::vector<Point2>> paths;
 	for (const InputReport& r : builder.inputs())
 		if (!r.robotPath.empty()) paths.push_back(r.robotPath);
-	outputs.write(map, paths, titleOf(c, map),
-				  [&](std::ostream& out, const Outputs::FileSizes& sizes)
-				  { writeStats(out, map, builder, feed, seconds, sizes); });
+	outputs.write(
+		map, paths, titleOf(c, map),
+		[&](std::ostream& out, const Outputs::FileSizes& sizes)
+		{ writeStats(out, map, builder, feed, seconds, sizes); },
+		builder.stopped() ? std::optional<ResumePoint>(builder.done()) : std::nullopt);
 	if (!c.quiet) printSummary(map, builder, feed.everyScan, seconds, outputs);
+	if (builder.stopped())
+		return endInterrupted("the files hold the " + std::to_string(builder.done().frames) +
+							  " frames read until then; the same command with --resume goes on");
+	if (interruptedBy() != 0) return endInterrupted("all inputs had been read, and the files are complete");
+	return 0;
 }
 
 int run(int argc, char** argv)
@@ -112,10 +145,9 @@ int run(int argc, char** argv)
 	}
 	const EarlierMaps maps = checkInputs(*c);
 	chooseOptions(*c, settings, maps);
-	Outputs outputs(c->prefix, c->formats, {c->errors, c->showRemoved, c->showFree});
 	catchInterrupts();
-	build(*c, settings, maps, outputs);
-	return 0;
+	Outputs outputs(c->prefix, c->formats, {c->errors, c->showRemoved, c->showFree});
+	return build(*c, settings, maps, outputs);
 }
 
 }  // namespace

@@ -150,7 +150,8 @@ void Outputs::writeScene(const CRidgeMap2D& map, const std::vector<std::vector<P
 }
 
 void Outputs::write(const CRidgeMap2D& map, const std::vector<std::vector<Point2>>& robotPaths,
-					const std::string& title, const std::function<void(std::ostream&, const FileSizes&)>& writeStats)
+					const std::string& title, const std::function<void(std::ostream&, const FileSizes&)>& writeStats,
+					const std::optional<ResumePoint>& stoppedAt)
 {
 	try
 	{
@@ -173,7 +174,15 @@ void Outputs::write(const CRidgeMap2D& map, const std::vector<std::vector<Point2
 		for (const AtomicFile& file : finished_)
 			sizes[fs::path(file.path()).filename().string()] = fs::file_size(file.temporaryPath());
 		keep("stats", [&](AtomicFile& file) { writeStats(file.stream(), sizes); });
+		if (stoppedAt)
+		{
+			AtomicFile file(resumePath(prefix_));
+			writeResume(file, *stoppedAt, map);
+			file.finish();
+			finished_.push_back(std::move(file));
+		}
 		for (AtomicFile& file : finished_) file.commit();
+		if (!stoppedAt) fs::remove(resumePath(prefix_));
 	}
 	catch (const std::exception& e)
 	{

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "resume.h"
+
 namespace ridgemap::apps
 {
 /** What the pictures show beside the walls. */
@@ -37,10 +39,15 @@ class Outputs
 	/** Takes the next measurement of this run. */
 	void addMeasurement(const Measurement& m);
 
-	/** Writes all files and lets them appear. `writeStats` is called last, with the sizes of the other files. */
+	/** Writes all files and lets them appear. `writeStats` is called last, with the sizes of the other files. A run
+	 * that was interrupted at `stoppedAt` leaves PREFIX.resume, too; a complete one removes it. */
 	using FileSizes = std::map<std::string, std::uintmax_t>;
 	void write(const CRidgeMap2D& map, const std::vector<std::vector<Point2>>& robotPaths, const std::string& title,
-			   const std::function<void(std::ostream&, const FileSizes&)>& writeStats);
+			   const std::function<void(std::ostream&, const FileSizes&)>& writeStats,
+			   const std::optional<ResumePoint>& stoppedAt);
+
+	/** PREFIX.resume, which holds an interrupted run. */
+	static std::string resumePath(const std::string& prefix) { return prefix + ".resume"; }
 
 	/** Names of the files in the order of the formats. */
 	std::vector<std::string> paths() const;

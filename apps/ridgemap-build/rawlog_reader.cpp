@@ -20,14 +20,15 @@ using mrpt::obs::CRawlog;
 using mrpt::obs::CSensoryFrame;
 using mrpt::serialization::CSerializable;
 
-/** The next object of the log; null at the end. `count` is the number of objects before it. */
-CSerializable::Ptr readObject(GzInput& input, std::size_t count)
+/** Reads the next object of the log, which may be null; false at the end. `count` is the number of objects before. */
+bool readObject(GzInput& input, std::size_t count, CSerializable::Ptr& object)
 {
-	if (input.atEnd()) return nullptr;
+	if (input.atEnd()) return false;
 	try
 	{
 		auto archive = mrpt::serialization::archiveFrom(input);
-		return archive.ReadObject();
+		object = archive.ReadObject();
+		return true;
 	}
 	catch (const std::exception& e)
 	{
@@ -71,20 +72,30 @@ void scanPart(const CSerializable::Ptr& part, OdometryScan& scan)
 	}
 	else if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(part))
 		for (const auto& observation : *frame) observe(observation);
-	else
+	else if (part)
 		observe(std::dynamic_pointer_cast<CObservation>(part));
 }
 
-std::unique_ptr<PoseSource> makeOdometryPoses(const std::string& path)
+/** Sees all objects of the log, up to damage if `keepGoing`. */
+void scanLog(const std::string& path, bool keepGoing, OdometryScan& scan)
 {
 	GzInput input(path);
-	OdometryScan scan;
-	for (std::size_t count = 0;; count++)
+	try
 	{
-		const auto object = readObject(input, count);
-		if (!object) break;
-		forParts(object, [&](const CSerializable::Ptr& part) { scanPart(part, scan); });
+		CSerializable::Ptr object;
+		for (std::size_t count = 0; readObject(input, count, object); count++)
+			forParts(object, [&](const CSerializable::Ptr& part) { scanPart(part, scan); });
 	}
+	catch (const UserError&)
+	{
+		if (!keepGoing) throw;
+	}
+}
+
+std::unique_ptr<PoseSource> makeOdometryPoses(const std::string& path, bool keepGoing)
+{
+	OdometryScan scan;
+	scanLog(path, keepGoing, scan);
 	if (scan.actions) return makeActionPoses();
 	if (scan.track.empty())
 		throw UserError("'" + path + "' holds no odometry", "leave out --odometry, or give --poses");
@@ -92,10 +103,10 @@ std::unique_ptr<PoseSource> makeOdometryPoses(const std::string& path)
 	return makeTrackPoses(std::make_shared<PoseTrack>(std::move(scan.track)), "odometry");
 }
 
-std::unique_ptr<PoseSource> makePoses(const std::string& path, const PoseChoice& choice)
+std::unique_ptr<PoseSource> makePoses(const std::string& path, const PoseChoice& choice, bool keepGoing)
 {
 	if (choice.track) return makeTrackPoses(choice.track, "pose file");
-	if (choice.odometry) return makeOdometryPoses(path);
+	if (choice.odometry) return makeOdometryPoses(path, keepGoing);
 	return makeIcpPoses(choice.map, choice.config);
 }
 
@@ -116,19 +127,63 @@ void loadExternal(const CObservation& observation, const std::string& path)
 
 }  // namespace
 
-RawlogReader::RawlogReader(const std::string& path, const PoseChoice& choice)
-	: input_(path), poses_(makePoses(path, choice))
+RawlogReader::RawlogReader(const std::string& path, const PoseChoice& choice, bool keepGoing)
+	: input_(path), keepGoing_(keepGoing), poses_(makePoses(path, choice, keepGoing))
 {
 	mrpt::img::CImage::setImagesPathBase(CRawlog::detectImagesDirectory(path));
+}
+
+bool RawlogReader::readNext(CSerializable::Ptr& object)
+{
+	try
+	{
+		if (!readObject(input_, objects_, object)) return false;
+		objects_++;
+		return true;
+	}
+	catch (const UserError&)
+	{
+		// Objects have no marks by which to find the next one behind damage.
+		if (!keepGoing_ || objects_ == 0) throw;
+		skipped_["interruptions by damage, behind which nothing was read"]++;
+		return false;
+	}
+}
+
+void RawlogReader::skip(const std::string& what)
+{
+	if (!keepGoing_)
+		throw UserError("'" + input_.path() + "' holds " + what + " (object " + std::to_string(objects_) + ")",
+						"repair it, or use the rest of it by --keep-going");
+	skipped_[what]++;
+}
+
+bool RawlogReader::isUsable(const CObservation::Ptr& observation)
+{
+	if (!observation)
+	{
+		skip("places without an object");
+		return false;
+	}
+	if (observation->timestamp == INVALID_TIMESTAMP) return true;
+	const double time = timeOf(*observation);
+	const std::string sensor = std::string(observation->GetRuntimeClass()->className) + ' ' + observation->sensorLabel;
+	const auto [last, isFirst] = lastTimes_.emplace(sensor, time);
+	if (!isFirst && time < last->second)
+	{
+		skip("observations with times that run backwards");
+		return false;
+	}
+	last->second = time;
+	return true;
 }
 
 bool RawlogReader::next(Frame& frame)
 {
 	while (queue_.empty())
 	{
-		const auto object = readObject(input_, objects_);
-		if (!object) return false;
-		objects_++;
+		CSerializable::Ptr object;
+		if (!readNext(object)) return false;
 		try
 		{
 			forParts(object, [this](const CSerializable::Ptr& part) { take(part); });
@@ -153,16 +208,22 @@ void RawlogReader::take(const CSerializable::Ptr& part)
 		poses_->see(action);
 	else if (const auto sensoryFrame = std::dynamic_pointer_cast<CSensoryFrame>(part))
 	{
+		for (std::size_t i = sensoryFrame->size(); i-- > 0;)
+			if (!isUsable(sensoryFrame->getObservationByIndex(i))) sensoryFrame->eraseByIndex(i);
 		for (const auto& observation : *sensoryFrame) loadExternal(*observation, input_.path());
 		poses_->see(sensoryFrame);
 		for (const auto& observation : *sensoryFrame) enqueue(observation);
 	}
 	else if (const auto observation = std::dynamic_pointer_cast<CObservation>(part))
 	{
+		if (!isUsable(observation)) return;
 		loadExternal(*observation, input_.path());
 		poses_->see(observation);
 		enqueue(observation);
 	}
+	else
+		skip(part ? std::string("objects of the class ") + part->GetRuntimeClass()->className
+				  : "places without an object");
 }
 
 void RawlogReader::enqueue(const CObservation::Ptr& observation)

@@ -11,8 +11,9 @@ namespace ridgemap::apps
 class SimpleMapReader : public FrameReader
 {
  public:
-	/** Loads the whole file: MRPT stores it as one object. */
-	explicit SimpleMapReader(const std::string& path);
+	/** Loads the whole file: MRPT stores it as one object.
+	 * @param keepGoing takes what comes before damage, and leaves out frames without pose or observations */
+	explicit SimpleMapReader(const std::string& path, bool keepGoing = false);
 
 	bool next(Frame& frame) override;
 	double fraction() const override;
@@ -20,9 +21,14 @@ class SimpleMapReader : public FrameReader
 
  private:
 	std::string path_;
+	const bool keepGoing_;
 	mrpt::maps::CSimpleMap map_;
 	std::size_t index_ = 0;        ///< of the sensory frame
 	std::size_t observation_ = 0;  ///< within the sensory frame
+
+	void load();
+	/** Counts what is left out, or throws. */
+	void skip(const std::string& what, const std::string& remedy);
 };
 
 }  // namespace ridgemap::apps

@@ -25,6 +25,9 @@ void writeInputs(JsonWriter& json, const std::vector<InputReport>& inputs)
 		json.value("measurements", r.measurements);
 		json.value("observationsWithoutPose", r.withoutPose);
 		json.value("rangesNotFinite", r.notFinite);
+		json.beginObject("skipped");
+		for (const auto& [what, count] : r.skipped) json.value(what, count);
+		json.end();
 		json.beginObject("observations");
 		for (const auto& [name, count] : r.classes) json.value(name, count);
 		json.end();
@@ -41,6 +44,7 @@ void writeFeed(JsonWriter& json, const Feed& feed)
 	json.value("batch", feed.batch);
 	json.value("threads", feed.threads);
 	json.value("polylinesAfterEveryScan", feed.everyScan);
+	json.value("keepGoing", feed.keepGoing);
 	json.end();
 }
 
@@ -135,6 +139,9 @@ void printSummary(const CRidgeMap2D& map, const Builder& builder, bool everyScan
 	std::printf("\n");
 	if (notFinite != 0) std::printf("left out      %zu ranges that are NaN or infinite\n", notFinite);
 	if (withoutPose != 0) std::printf("left out      %zu observations at times without a pose\n", withoutPose);
+	for (const InputReport& r : builder.inputs())
+		for (const auto& [what, count] : r.skipped)
+			std::printf("left out      %zu %s of %s\n", count, what.c_str(), r.path.c_str());
 	const PolylineFigures walls = apps::figuresOf(map.walls()), ridges = apps::figuresOf(map.ridges());
 	std::printf("walls         %.1f m in %zu polylines with %zu nodes\n", walls.metres, walls.polylines, walls.nodes);
 	std::printf("ridges        %.1f m in %zu polylines with %zu nodes\n", ridges.metres, ridges.polylines,

@@ -236,17 +236,6 @@ TEST_F(BadInput, diskFull)
 	check(r, "ridgemap-build: error: ", {"cannot write", "result"});
 }
 
-TEST_F(BadInput, interrupted)
-{
-	// Fed one by one, these would take far longer than the second until the signal.
-	std::string points;
-	for (int i = 0; i < 400000; i++) points += std::to_string(0.001 * (i % 10000)) + " 0\n";
-	const std::string many = file("many.csv", points);
-	const RunResult r = run("/bin/sh", {"-c", "\"$0\" \"$@\" & sleep 1; kill -TERM $!; wait $!", RIDGEMAP_BUILD_PROGRAM,
-										many, "--batch", "1", "-o", dir / "result"});
-	check(r, "ridgemap-build: error: ", {"interrupted"});
-}
-
 TEST_F(BadInput, info)
 {
 	check(runInfo({}), "ridgemap-info: error: ", {"no map"});
