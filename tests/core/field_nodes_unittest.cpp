@@ -184,7 +184,7 @@ TEST(FieldNodes, InterpolationAgreesWithTheSumOfAllCells)
 			const TileKey key{std::int32_t(std::floor(p.x / edge)), std::int32_t(std::floor(p.y / edge))};
 			const Vec2 corner{key.x * edge, key.y * edge};
 			const auto truth = jet(sumOfCells(lattice.tiles(), o, p));
-			const auto got = jet(TileField(lattice.tiles(), key, o).sample(p - corner));
+			const auto got = jet(TileField(lattice.tiles(), key, o).sample(p - corner, {1, 0}));
 			// The scale of the derivatives grows with the distance from where the measurements are.
 			double scale = 0;
 			for (double dx = -1; dx <= 1; dx++)
@@ -220,7 +220,7 @@ TEST(FieldNodes, TheSamePointHasTheSameBitsInEveryTile)
 		for (int i = 0; i < 20; i++)
 		{
 			const Vec2 p{edge + std::round(1024 * random.uniform(-2.9, 2.9)) / 1024, random.uniform(0, edge)};
-			const KernelSums a = here.sample(p), b = right.sample({p.x - edge, p.y});
+			const KernelSums a = here.sample(p, {1, 0}), b = right.sample({p.x - edge, p.y}, {1, 0});
 			ASSERT_EQ(std::memcmp(&a, &b, sizeof a), 0);
 			compared += a.value > 0.1;
 		}
@@ -310,7 +310,7 @@ TEST(FieldNodes, AreFreedWhenTheyAreZeroAgain)
 	lattice.erase(scene.measurements);
 	lattice.refresh();
 	for (const TileKey key : lattice.tiles().keys())
-		for (const Block& b : lattice.tiles().find(key)->blocks) EXPECT_TRUE(b.nodes.empty() && b.cells.empty());
+		for (const Block& b : lattice.tiles().find(key)->blocks) EXPECT_TRUE(b.layers.empty() && b.cells.empty());
 }
 
 TEST(FieldNodes, AreMadeOnSeveralThreadsToTheSameBits)
@@ -346,7 +346,12 @@ TEST(FieldNodes, AreMadeOnSeveralThreadsToTheSameBits)
 			for (const TileKey& key : keys)
 			{
 				const auto &a = alone.tiles().find(key)->blocks, &b = shared.tiles().find(key)->blocks;
-				for (std::size_t i = 0; i < a.size(); i++) ASSERT_EQ(a[i].nodes, b[i].nodes);
+				for (std::size_t i = 0; i < a.size(); i++)
+				{
+					ASSERT_EQ(a[i].layers.size(), b[i].layers.size());
+					for (std::size_t l = 0; l < a[i].layers.size(); l++)
+						ASSERT_EQ(a[i].layers[l].nodes, b[i].layers[l].nodes);
+				}
 			}
 		}
 }

@@ -126,11 +126,7 @@ TEST(FrozenMap, damagedDataAreNotLoaded)
 	CRidgeMap2D map = roomMap();
 	map.freeze(0.02);
 	const auto bytes = bytesOf(map);
-<<<<<<< HEAD
-	// The last byte is MRPT's, and read when the map is complete.
-=======
 	// Without the last byte, which MRPT itself puts behind the content, the content is whole.
->>>>>>> 105e4d6 (Sliding windows, rays without return, free space in pictures and grids)
 	for (std::size_t i = 0; i + 1 < bytes.size(); i += 7)
 	{
 		auto cut = bytes;

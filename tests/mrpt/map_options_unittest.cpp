@@ -72,15 +72,16 @@ TEST(MapOptions, EveryFieldOfTheCoreIsInTheTable)
 	all.sigma = 0.07, all.eps = 0.001, all.lTol = 2.5, all.dTol = 3.5, all.cell = 0.5, all.cutoff = 6,
 	all.tileEdge = 20;
 	all.maxStep = 1.5, all.minCurvature = 0.25, all.maxSensitivity = 40, all.stepRule = StepRule::paper;
-	all.seedRule = SeedRule::maximum, all.prune = false, all.pruneLength = 4, all.attach = false,
-	all.attachDistance = 1, all.sharpen = false, all.trim = false, all.straighten = false, all.correctBends = false;
+	all.sides = false, all.mergeDistance = 0.3, all.seedRule = SeedRule::maximum, all.prune = false,
+	all.pruneLength = 4, all.attach = false, all.attachDistance = 1, all.sharpen = false, all.trim = false,
+	all.straighten = false, all.correctBends = false;
 	all.freeSpace = false, all.freeSpaceTau = 0.4, all.freeSpaceWindow = 1, all.freeSpaceLeast = 3,
 	all.freeSpaceMargin = 2;
 	MapOptions from, to;
 	from.creation = TCreationOptions(all);
 	for (const auto& key : MapOptions::keys()) to.setOption(key, from.getOption(key));
 	EXPECT_TRUE(static_cast<const Options&>(to.creation) == all);
-	EXPECT_EQ(sizeof(Options), 20 * sizeof(double)) << "a field was added: add it to option_fields.h and above";
+	EXPECT_EQ(sizeof(Options), 21 * sizeof(double)) << "a field was added: add it to option_fields.h and above";
 }
 
 TEST(MapOptions, IniRoundTripIsExact)
@@ -216,7 +217,7 @@ TEST(MapOptions, RangesOfTheTableAreThoseOfTheCore)
 {
 	// What the table lets through, the core must not reject, and just outside both must reject.
 	for (const char* key : {"sigma", "lTol", "dTol", "cutoff", "tileEdge", "maxStep", "maxSensitivity", "minCurvature",
-							"pruneLength", "attachDistance"})
+							"pruneLength", "attachDistance", "mergeDistance"})
 	{
 		MapOptions o;
 		const std::string message = messageOf([&] { o.setOption(key, "-1e30"); });
@@ -236,9 +237,10 @@ TEST(MapOptions, RangesOfTheTableAreThoseOfTheCore)
 			double* fields[] = {&beyond.sigma,          &beyond.lTol,         &beyond.dTol,
 								&beyond.cutoff,         &beyond.tileEdge,     &beyond.maxStep,
 								&beyond.maxSensitivity, &beyond.minCurvature, &beyond.pruneLength,
-								&beyond.attachDistance};
-			const char* names[] = {"sigma",   "lTol",           "dTol",         "cutoff",      "tileEdge",
-								   "maxStep", "maxSensitivity", "minCurvature", "pruneLength", "attachDistance"};
+								&beyond.attachDistance, &beyond.mergeDistance};
+			const char* names[] = {"sigma",       "lTol",           "dTol",           "cutoff",
+								   "tileEdge",    "maxStep",        "maxSensitivity", "minCurvature",
+								   "pruneLength", "attachDistance", "mergeDistance"};
 			beyond = Options();
 			for (std::size_t i = 0; i < std::size(names); i++)
 				if (std::string(names[i]) == key) *fields[i] = v;

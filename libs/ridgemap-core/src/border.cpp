@@ -13,9 +13,24 @@ constexpr double goodAngle = 0.3;  ///< sine of the angle between ridge and bord
 constexpr double nearMiss =
 	0.1;  ///< a ridge that comes this close to a border without crossing it is too close [sigma]
 constexpr double rootTolerance = 1e-6;  ///< [sigma]
+constexpr double sameCrossing = 0.01;   ///< found from two sides, one crossing may come out this far apart [sigma]
 constexpr int maxSplits = 5;
 
-/** A sample on the border, with f and its derivative along the border; `sign` makes v1 continuous. */
+/** Normals from which ridges are looked for in a sided field: every ridge has one of them within 45 degrees. */
+constexpr Vec2 sides[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+
+/** Calls fn(normal) for all normals from which ridges must be looked for. */
+template <class Fn>
+void forEachSide(const TileField& field, Fn fn)
+{
+	for (const Vec2& side : sides)
+	{
+		fn(side);
+		if (!field.isSided()) return;
+	}
+}
+
+/** A sample on the border, with f and its derivative along the border. */
 struct BorderSample
 {
 	double s = 0;  ///< arc length from the start of the segment
@@ -24,12 +39,18 @@ struct BorderSample
 	double slope = 0;
 };
 
-/** Scan of one straight segment of a border. */
+/** Scan of one straight segment of a border for ridges seen from about one side. */
 class SegmentScan
 {
  public:
-	SegmentScan(const TileField& field, const Options& options, Vec2 from, Vec2 to)
-		: field_(field), options_(options), from_(from), to_(to), length_(norm(to - from)), direction_(unit(to - from))
+	SegmentScan(const TileField& field, const Options& options, Vec2 from, Vec2 to, Vec2 side)
+		: field_(field),
+		  options_(options),
+		  from_(from),
+		  to_(to),
+		  side_(side),
+		  length_(norm(to - from)),
+		  direction_(unit(to - from))
 	{
 	}
 
@@ -57,15 +78,15 @@ class SegmentScan
 		BorderSample b;
 		b.s = s;
 		const Vec2 p = s < length_ ? from_ + s * direction_ : to_;  // exact at the vertices, which borders share
-		b.r = makeRidgePoint(p, field_.sample(p));
+		b.r = evaluateRidge(field_, p, like ? like->r.v1 : side_);
 		orient(b, like);
 		return b;
 	}
 
-	/** Gives v1 of `b` the sense of that of `like`. */
+	/** Gives v1 of `b` the sense of that of `like`, where it has no sense of its own. */
 	void orient(BorderSample& b, const BorderSample* like) const
 	{
-		if (like && dot(b.r.v1, like->r.v1) < 0)
+		if (like && !field_.isSided() && dot(b.r.v1, like->r.v1) < 0)
 		{
 			b.r.v1 = -b.r.v1;
 			b.r.f = -b.r.f;
@@ -135,17 +156,32 @@ class SegmentScan
 		if (!isRidgeLike(r, options_)) return;
 		const Vec2 tangent = r.tangent(r.v2);
 		if (r.occupancy >= 0.9 * options_.lTol) quality_ = std::min(quality_, std::abs(cross(tangent, direction_)));
-		if (r.occupancy >= options_.lTol && isSupported(field_, options_, r.p, tangent))
-			crossings.push_back({r.p, tangent, s0 + root.s});
+		if (r.occupancy >= options_.lTol && isSupported(field_, options_, r, tangent))
+			crossings.push_back({r.p, tangent, r.v1, s0 + root.s});
 	}
 
 	const TileField& field_;
 	const Options& options_;
-	Vec2 from_, to_;
+	Vec2 from_, to_, side_;
 	double length_;
 	Vec2 direction_;
 	double quality_ = 1;
 };
+
+/** Sorts crossings along the border; those that were found from several sides are kept once. */
+void keepDifferent(std::vector<Crossing>& crossings)
+{
+	std::stable_sort(crossings.begin(), crossings.end(),
+					 [](const Crossing& a, const Crossing& b) { return a.s < b.s; });
+	std::vector<Crossing> kept;
+	for (const Crossing& c : crossings)
+	{
+		const auto isSame = [&](const Crossing& k)
+		{ return norm(k.p - c.p) < sameCrossing && dot(k.normal, c.normal) > 0.7; };
+		if (std::none_of(kept.begin(), kept.end(), isSame)) kept.push_back(c);
+	}
+	crossings = std::move(kept);
+}
 
 /** Lays a border along the given vertices. Returns how transversal its worst crossing is. */
 double scanPath(const TileField& field, const Options& options, const std::vector<Vec2>& path,
@@ -154,23 +190,31 @@ double scanPath(const TileField& field, const Options& options, const std::vecto
 	double quality = 1, s0 = 0;
 	for (std::size_t i = 1; i < path.size(); i++)
 	{
-		SegmentScan scan(field, options, path[i - 1], path[i]);
-		scan.run(s0, crossings);
-		quality = std::min(quality, scan.quality());
+		std::vector<Crossing> found;
+		forEachSide(field,
+					[&](Vec2 side)
+					{
+						SegmentScan scan(field, options, path[i - 1], path[i], side);
+						scan.run(s0, found);
+						quality = std::min(quality, scan.quality());
+					});
+		if (field.isSided()) keepDifferent(found);
+		crossings.insert(crossings.end(), found.begin(), found.end());
 		s0 += norm(path[i] - path[i - 1]);
 	}
 	return quality;
 }
 }  // namespace
 
-bool isSupported(const TileField& field, const Options& options, Vec2 p, Vec2 tangent)
+bool isSupported(const TileField& field, const Options& options, const RidgePoint& r, Vec2 tangent)
 {
 	const double extent = CellGrid(options).halfExtent();
 	bool ahead = false, behind = false;
-	field.forEachCellNear(p, options.dTol + supportWidth,
-						  [&](Vec2 q, std::uint32_t)
+	field.forEachCellNear(r.p, options.dTol + supportWidth,
+						  [&](Vec2 q, std::uint32_t bin)
 						  {
-							  const Vec2 d = q - p;
+							  if (!field.sees(bin, r.v1)) return;
+							  const Vec2 d = q - r.p;
 							  const double along = dot(d, tangent), across = cross(tangent, d);
 							  if (std::abs(across) > supportWidth || std::abs(along) > options.dTol + extent) return;
 							  ahead = ahead || along + extent >= 0;
@@ -188,10 +232,15 @@ Vec2 placeCorner(const TileField& field, const Options& options)
 	double bestClearance = -1;
 	for (const Vec2& q : candidates)
 	{
-		const RidgePoint r = makeRidgePoint(q, field.sample(q));
-		const double slope = norm(r.df);
 		double clearance = std::numeric_limits<double>::infinity();
-		if (r.occupancy >= 0.5 * options.lTol && slope > 0) clearance = std::abs(r.f) / slope;
+		forEachSide(field,
+					[&](Vec2 side)
+					{
+						const RidgePoint r = evaluateRidge(field, q, side);
+						const double slope = norm(r.df);
+						if (r.occupancy >= 0.5 * options.lTol && slope > 0)
+							clearance = std::min(clearance, std::abs(r.f) / slope);
+					});
 		if (clearance >= enough) return q;
 		if (clearance > bestClearance)
 		{

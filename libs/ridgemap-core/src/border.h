@@ -11,8 +11,8 @@ namespace ridgemap
 /** Farthest that a measurement may lie beside a ridge and still support it [sigma]. */
 constexpr double supportWidth = 2.5;
 
-/** Measurements lie within d_tol of p on both sides along the ridge, so that it does not end right there. */
-bool isSupported(const TileField& field, const Options& options, Vec2 p, Vec2 tangent);
+/** Measurements lie within d_tol of a point of a ridge both ways along it, so that it does not end right there. */
+bool isSupported(const TileField& field, const Options& options, const RidgePoint& r, Vec2 tangent);
 
 /** Place for the lower-left corner of a field's tile: the nominal one, or one beside it that keeps clear of ridges. */
 Vec2 placeCorner(const TileField& field, const Options& options);

@@ -167,6 +167,13 @@ void Chains::update(TileStore& tiles, const std::vector<ReplacedTile>& replaced,
 	}
 }
 
+int Chains::sideOf(const PieceRef& r, const TileStore& tiles)
+{
+	const std::vector<RidgeNode>& nodes = tiles.find(r.tile)->pieces[std::size_t(r.piece)].nodes;
+	const Vec2 direction = (r.reversed ? -1.0 : 1.0) * (nodes[1].p - nodes[0].p);
+	return cross(direction, nodes[0].normal) > 0 ? 1 : -1;
+}
+
 Polyline Chains::materialise(const Chain& chain, const TileStore& tiles, const Frame& frame)
 {
 	Polyline line;
@@ -186,6 +193,7 @@ Polyline Chains::materialise(const Chain& chain, const TileStore& tiles, const F
 		for (std::size_t k = i == 0 ? 0 : 1; k < nodes.size(); k++)
 			add(r.tile, nodes[r.reversed ? nodes.size() - 1 - k : k]);
 	}
+	if (tiles.isSided()) line.side = sideOf(chain.pieces.front(), tiles);
 	if (line.closed && line.points.size() > 1) line.points.back() = line.points.front();
 	PieceRef front = chain.pieces.front();
 	front.reversed = !front.reversed;

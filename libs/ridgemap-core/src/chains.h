@@ -54,6 +54,8 @@ class Chains
 	static const PieceEnd& lastEnd(const TileStore& tiles, const PieceRef& r);
 	static bool next(const TileStore& tiles, const PieceRef& from, PieceRef& to);
 	static Chain assemble(const TileStore& tiles, const PieceRef& any);
+	/** From which side a ridge was seen, as in Polyline::side. */
+	static int sideOf(const PieceRef& r, const TileStore& tiles);
 	static Polyline materialise(const Chain& chain, const TileStore& tiles, const Frame& frame);
 
 	std::unordered_map<PolylineId, Chain> chains_;

@@ -17,6 +17,7 @@ int TileField::haloOfNodes()
 
 TileField::TileField(const TileStore& store, TileKey key, const Options& options, FieldScratch* scratch)
 	: compacts_(CellGrid(options).compacts()),
+	  sided_(store.isSided()),
 	  edge_(store.tileEdge()),
 	  cutoff_(options.cutoff),
 	  halo_(haloBlocks(options.cutoff)),
@@ -29,8 +30,13 @@ TileField::TileField(const TileStore& store, TileKey key, const Options& options
 	stride_ = side_ * nodesPerBlock + NodeTaps::count;  // rows that are a power of two apart share lines of the cache
 	if (compacts_)
 	{
-		scratch_->nodes.resize(std::size_t(side_ * nodesPerBlock) * std::size_t(stride_));
-		scratch_->hasCopied.assign(std::size_t(side_), 0);
+		bins_.assign(blocks_.size(), 0);
+		scratch_->planes.resize(sided_ ? directionBins : 1);
+		for (FieldScratch::Plane& plane : scratch_->planes)
+		{
+			plane.nodes.resize(std::size_t(side_ * nodesPerBlock) * std::size_t(stride_));
+			plane.hasCopied.assign(std::size_t(side_), 0);
+		}
 	}
 	else
 		scratch_->views.reserve(blocks_.size());
@@ -46,8 +52,9 @@ TileField::TileField(const TileStore& store, TileKey key, const Options& options
 				for (int bx = x0; bx < x1; bx++)
 				{
 					const Block& b = tile->blocks[std::size_t((by - ty * perEdge) * perEdge + bx - tx * perEdge)];
-					if (b.nodes.empty() && b.cells.empty()) continue;
-					blocks_[std::size_t((by + halo_) * side_ + bx + halo_)] = &b;
+					if (b.layers.empty() && b.cells.empty()) continue;
+					blocks_[index(bx, by)] = &b;
+					for (const NodeLayer& l : b.layers) bins_[index(bx, by)] |= std::uint32_t(1) << l.bin;
 					nonEmpty_++;
 				}
 		}
@@ -72,7 +79,7 @@ double TileField::weightNear(Vec2 p, double radius) const
 	return sum;
 }
 
-KernelSums TileField::sampleNodes(Vec2 p) const
+TileField::Taps TileField::tapsAt(Vec2 p) const
 {
 	work_.evaluations++;
 	const double u = p.x * nodesPerSigma, v = p.y * nodesPerSigma;
@@ -80,37 +87,46 @@ KernelSums TileField::sampleNodes(Vec2 p) const
 	// The first tap, counted from the corner of the halo.
 	const int before = halo_ * nodesPerBlock - NodeTaps::before;
 	const int i = column + before, j = row + before;
-	const Range x{i / nodesPerBlock - halo_, (i + NodeTaps::count - 1) / nodesPerBlock - halo_};
-	const Range y{j / nodesPerBlock - halo_, (j + NodeTaps::count - 1) / nodesPerBlock - halo_};
-	look(x, y);
+	Taps t{{i / nodesPerBlock - halo_, (i + NodeTaps::count - 1) / nodesPerBlock - halo_},
+		   {j / nodesPerBlock - halo_, (j + NodeTaps::count - 1) / nodesPerBlock - halo_},
+		   j * stride_ + i,
+		   float(u - column),
+		   float(v - row),
+		   0};
+	look(t.x, t.y);
+	for (int by = t.y.first; by <= t.y.last; by++)
+		for (int bx = t.x.first; bx <= t.x.last; bx++) t.bins |= bins_[index(bx, by)];
+	return t;
+}
+
+KernelSums TileField::sampleNodes(Vec2 p) const
+{
+	const Taps t = tapsAt(p);
+	if (t.bins == 0) return {};
+	provideNodes(0, t.x, t.y);
+	return interpolateNodes(scratch_->planes[0].nodes.data() + t.corner, stride_, t.tx, t.ty);
+}
+
+void TileField::provideNodes(std::uint32_t bin, Range x, Range y) const
+{
+	std::vector<std::uint64_t>& copied = scratch_->planes[bin].hasCopied;
 	const std::uint64_t columns = BlockMask::columns(x.first + halo_, x.last + halo_);
-	const std::uint64_t* copied = scratch_->hasCopied.data() + halo_;
-	if ((copied[y.first] & copied[y.last] & columns) != columns && !provideNodes(x, y)) return {};
-	return interpolateNodes(scratch_->nodes.data() + j * stride_ + i, stride_, float(u - column), float(v - row));
-}
-
-bool TileField::provideNodes(Range x, Range y) const
-{
-	bool any = false;
 	for (int by = y.first; by <= y.last; by++)
-		for (int bx = x.first; bx <= x.last; bx++) any = any || (block(bx, by) && !block(bx, by)->nodes.empty());
-	if (!any) return false;
-	for (int by = y.first; by <= y.last; by++)
+	{
+		std::uint64_t& row = copied[std::size_t(by + halo_)];
+		if ((row & columns) == columns) continue;
 		for (int bx = x.first; bx <= x.last; bx++)
-		{
-			std::uint64_t& row = scratch_->hasCopied[std::size_t(by + halo_)];
-			const std::uint64_t bit = BlockMask::columns(bx + halo_, bx + halo_);
-			if (!(row & bit)) copyBlock(bx, by);
-			row |= bit;
-		}
-	return true;
+			if (!(row & BlockMask::columns(bx + halo_, bx + halo_))) copyBlock(bin, bx, by);
+		row |= columns;
+	}
 }
 
-void TileField::copyBlock(int bx, int by) const
+void TileField::copyBlock(std::uint32_t bin, int bx, int by) const
 {
-	float* to = scratch_->nodes.data() + (by + halo_) * nodesPerBlock * stride_ + (bx + halo_) * nodesPerBlock;
+	float* to =
+		scratch_->planes[bin].nodes.data() + (by + halo_) * nodesPerBlock * stride_ + (bx + halo_) * nodesPerBlock;
 	const Block* b = block(bx, by);
-	if (b && !b->nodes.empty()) return copyNodes(b->nodes.data(), to, stride_);
+	if (const std::int64_t* nodes = b ? b->findNodes(bin) : nullptr) return copyNodes(nodes, to, stride_);
 	for (int row = 0; row < nodesPerBlock; row++) std::fill_n(to + row * stride_, nodesPerBlock, 0.0f);
 }
 

@@ -9,6 +9,7 @@
 #include "field_nodes.h"
 #include "kernel_sum.h"
 #include "tile.h"
+#include "viewing_direction.h"
 
 namespace ridgemap
 {
@@ -22,8 +23,13 @@ struct FieldWork
 /** Memory that the fields of one thread use one after the other. */
 struct FieldScratch
 {
-	std::vector<float> nodes;              ///< around the tile, row by row, where they were asked for
-	std::vector<std::uint64_t> hasCopied;  ///< blocks that are in `nodes`, one word a row of blocks
+	/** Values at nodes of one direction bin. */
+	struct Plane
+	{
+		std::vector<float> nodes;              ///< around the tile, row by row, where they were asked for
+		std::vector<std::uint64_t> hasCopied;  ///< blocks that are in `nodes`, one word a row of blocks
+	};
+	std::vector<Plane> planes;  ///< by direction bin
 	std::vector<BlockView> views;
 };
 
@@ -66,13 +72,33 @@ class TileField
 		return p.x >= -margin && p.y >= -margin && p.x <= edge_ + margin && p.y <= edge_ + margin;
 	}
 
-	/** L and its derivatives at a point of the domain. */
-	KernelSums sample(Vec2 p) const { return compacts_ ? sampleNodes(p) : sampleKernels(p); }
+	/** Some measurements in the map tell from which side they were seen: L depends on the side from which it is asked
+	 * for. */
+	bool isSided() const { return sided_; }
+
+	/** L and its derivatives at a point of the domain, for a surface whose unit normal towards the viewer is `normal`;
+	 * that matters only if the field is sided. */
+	KernelSums sample(Vec2 p, Vec2 normal) const
+	{
+		return sided_      ? sumBins(p, [&](std::uint32_t bin) { return sideWeight(bin, normal); })
+			   : compacts_ ? sampleNodes(p)
+						   : sampleKernels(p);
+	}
+
+	/** Change of sample() per radian that the normal turns to its left. */
+	KernelSums sampleTurn(Vec2 p, Vec2 normal) const
+	{
+		return sumBins(p, [&](std::uint32_t bin) { return sideWeightSlope(bin, normal); });
+	}
+
+	/** Measurements of a direction bin count for a surface with this normal. */
+	bool sees(std::uint32_t bin, Vec2 normal) const { return !sided_ || sideWeight(bin, normal) > 0; }
 
 	/** Number of measurements in the blocks that come within `radius` of p. */
 	double weightNear(Vec2 p, double radius) const;
 
-	/** Calls fn(centroid, count) for the cells in the blocks that come within `radius` of p, in canonical order. */
+	/** Calls fn(centroid, direction bin) for the cells in the blocks that come within `radius` of p, in canonical
+	 * order. */
 	template <class Fn>
 	void forEachCellNear(Vec2 p, double radius, Fn fn) const
 	{
@@ -84,7 +110,7 @@ class TileField
 				const Block* b = block(bx, by);
 				if (!b) continue;
 				const Vec2 c = centre(bx, by);
-				for (const CellPoint& q : b->points) fn(Vec2{c.x + double(q.x), c.y + double(q.y)}, q.n);
+				for (const CellPoint& q : b->points) fn(Vec2{c.x + double(q.x), c.y + double(q.y)}, q.bin);
 			}
 	}
 
@@ -101,21 +127,49 @@ class TileField
 	{
 		for (int by = y.first; by <= y.last; by++) reach_.add(by + halo_, x.first + halo_, x.last + halo_);
 	}
+	/** The nodes around a point. */
+	struct Taps
+	{
+		Range x, y;          ///< blocks in which they lie
+		int corner;          ///< index of the first one
+		float tx, ty;        ///< place between the middle ones
+		std::uint32_t bins;  ///< direction bins that are not zero there, one bit each
+	};
 	KernelSums sampleNodes(Vec2 p) const;
+	/** The direction bins with their weights. */
+	template <class WeightOf>
+	KernelSums sumBins(Vec2 p, WeightOf weightOf) const
+	{
+		const Taps t = tapsAt(p);
+		NodeSquare sum;
+		bool any = false;
+		for (std::uint32_t bin = 0; bin < directionBins; bin++)
+		{
+			const float weight = t.bins >> bin & 1 ? float(weightOf(bin)) : 0.0f;
+			if (weight == 0) continue;
+			any = true;
+			provideNodes(bin, t.x, t.y);
+			sum.add(scratch_->planes[bin].nodes.data() + t.corner, stride_, weight);
+		}
+		return any ? interpolateNodes(sum.nodes, NodeTaps::count, t.tx, t.ty) : KernelSums{};
+	}
 	KernelSums sampleKernels(Vec2 p) const;
-	/** Copies the nodes of these blocks unless that was done before; false if they are all zero. */
-	bool provideNodes(Range x, Range y) const;
-	void copyBlock(int bx, int by) const;
+	/** Copies the nodes of a direction bin in these blocks unless that was done before. */
+	void provideNodes(std::uint32_t bin, Range x, Range y) const;
+	void copyBlock(std::uint32_t bin, int bx, int by) const;
+	Taps tapsAt(Vec2 p) const;
 
-	const Block* block(int bx, int by) const { return blocks_[std::size_t((by + halo_) * side_ + bx + halo_)]; }
+	std::size_t index(int bx, int by) const { return std::size_t((by + halo_) * side_ + bx + halo_); }
+	const Block* block(int bx, int by) const { return blocks_[index(bx, by)]; }
 	static Vec2 centre(int bx, int by) { return {4.0 * bx + 2.0, 4.0 * by + 2.0}; }
 
-	bool compacts_;
+	bool compacts_, sided_;
 	double edge_;
 	double cutoff_;
 	int halo_;                          ///< blocks beyond the tile on each side
 	int side_;                          ///< blocks along one side of the neighbourhood
 	std::vector<const Block*> blocks_;  ///< row by row; nullptr where there is nothing
+	std::vector<std::uint32_t> bins_;   ///< direction bins of the nodes of each block, one bit each
 	std::size_t nonEmpty_ = 0;
 	int stride_;  ///< nodes from one row to the next
 	std::unique_ptr<FieldScratch> ownScratch_;

@@ -12,9 +12,7 @@
 
 namespace ridgemap
 {
-constexpr int nodesPerSigma = 4;
-constexpr int nodesPerBlock = nodesPerSigma * int(Frame::blockEdge);  ///< along one axis; block edges lie on nodes
-constexpr double nodesPerKernel = double(1 << 20);                    ///< value at a node of a kernel's peak
+constexpr double nodesPerKernel = double(1 << 20);  ///< value at a node of a kernel's peak
 
 /** The kernel of one cell in a window of nodes: its value at column i and row j is x[i] y[j] + dx[i] dy[j]. */
 struct KernelProfile
@@ -72,6 +70,20 @@ struct NodeTaps
 
 /** Copies the nodes of a block [kernels] into rows `stride` apart, rounded to single precision. */
 void copyNodes(const std::int64_t* nodes, float* to, int stride);
+
+/** A weighted sum of squares of 8 x 8 nodes, row by row. */
+struct NodeSquare
+{
+	alignas(32) float nodes[NodeTaps::count * NodeTaps::count] = {};
+
+	/** Adds `weight` times the square whose first node is `corner`, in rows `stride` apart. */
+	void add(const float* corner, int stride, float weight)
+	{
+		for (int row = 0; row < NodeTaps::count; row++)
+			for (int i = 0; i < NodeTaps::count; i++)
+				nodes[row * NodeTaps::count + i] += weight * corner[row * stride + i];
+	}
+};
 
 /** L and its derivatives [kernels, sigma] between nodes by the weights of interpolation_table.h: `corner` is the first
  * of 8 x 8 nodes in rows `stride` apart; tx and ty, in [0, 1), count from the fourth node, in node spacings. IEEE

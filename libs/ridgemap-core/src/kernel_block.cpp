@@ -89,6 +89,27 @@ void Block::forgetBefore()
 		before.clear();
 }
 
+std::vector<std::int64_t>& Block::nodesOf(std::uint32_t bin)
+{
+	auto it = layers.begin();
+	while (it != layers.end() && it->bin < bin) ++it;
+	if (it == layers.end() || it->bin != bin) it = layers.insert(it, {bin, {}});
+	return it->nodes;
+}
+
+const std::int64_t* Block::findNodes(std::uint32_t bin) const
+{
+	for (const NodeLayer& l : layers)
+		if (l.bin == bin) return l.nodes.data();
+	return nullptr;
+}
+
+void Block::dropEmptyLayers()
+{
+	const auto isEmpty = [](const NodeLayer& l) { return l.nodes.empty(); };
+	layers.erase(std::remove_if(layers.begin(), layers.end(), isEmpty), layers.end());
+}
+
 void Block::rebuild(const CellGrid& grid)
 {
 	points.clear();
@@ -96,7 +117,7 @@ void Block::rebuild(const CellGrid& grid)
 	for (const Cell& c : cells)
 	{
 		const Vec2 p = centroidInBlock(c, grid);
-		points.push_back({float(p.x), float(p.y), c.sums.n});
+		points.push_back({float(p.x), float(p.y), cellBin(c.key)});
 		weight += double(c.sums.n);
 	}
 	kernels = KernelList();
@@ -112,7 +133,8 @@ void Block::makeKernels(const CellGrid& grid)
 std::size_t Block::memoryBytes() const
 {
 	return sizeof(Block) + (cells.capacity() + before.capacity()) * sizeof(Cell) +
-		   points.capacity() * sizeof(CellPoint) + nodes.capacity() * sizeof(std::int64_t) +
+		   points.capacity() * sizeof(CellPoint) +
+		   layers.size() * nodesPerBlock * nodesPerBlock * sizeof(std::int64_t) +
 		   kernels.groups.capacity() * sizeof(KernelGroup);
 }
 

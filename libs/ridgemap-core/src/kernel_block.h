@@ -12,6 +12,9 @@
 
 namespace ridgemap
 {
+constexpr int nodesPerSigma = 4;
+constexpr int nodesPerBlock = nodesPerSigma * int(Frame::blockEdge);  ///< along one axis; block edges lie on nodes
+
 /** Exact sums over the measurements of one cell. Offsets from the cell centre in quanta; products of offsets divided by
  * 16 first, so that 2^31 measurements fit. */
 struct CellSums
@@ -72,11 +75,19 @@ struct KernelGroup
 	float x[8], y[8], a[8], b[8], c[8], w[8];
 };
 
-/** Where the measurements of a cell lie: centroid relative to the block centre [sigma], and how many they are. */
+/** Where the measurements of a cell lie: centroid relative to the block centre [sigma], and from which direction they
+ * were seen. */
 struct CellPoint
 {
 	float x, y;
-	std::uint32_t n;
+	std::uint32_t bin;
+};
+
+/** Values at the nodes of a block, of the measurements of one direction bin; row by row. */
+struct NodeLayer
+{
+	std::uint32_t bin = 0;
+	std::vector<std::int64_t> nodes;
 };
 
 /** Number, mean relative to the block centre and central second moments per measurement of a cell [sigma]. */
@@ -105,12 +116,12 @@ struct KernelList
  * reach alone. */
 struct Block
 {
-	std::vector<Cell> cells;          ///< sorted by key
-	std::vector<Cell> before;         ///< cells changed since the nodes were brought up to date, as they were then
-	std::vector<CellPoint> points;    ///< one for every cell
-	double weight = 0;                ///< sum of the counts
-	std::vector<std::int64_t> nodes;  ///< values of L at the nodes of the block, row by row; empty: all zero
-	KernelList kernels;               ///< of the cells; where they are compacted, made only when asked for
+	std::vector<Cell> cells;        ///< sorted by key
+	std::vector<Cell> before;       ///< cells changed since the nodes were brought up to date, as they were then
+	std::vector<CellPoint> points;  ///< one for every cell
+	double weight = 0;              ///< sum of the counts
+	std::vector<NodeLayer> layers;  ///< L at the nodes of the block by direction bin, those that are not all zero
+	KernelList kernels;             ///< of the cells; where they are compacted, made only when asked for
 
 	CellSums& findOrAdd(CellKey key);
 	const Cell* find(CellKey key) const;
@@ -122,6 +133,12 @@ struct Block
 	void forgetBefore();
 	/** Makes the list of kernels, one for every cell, unless it is there. */
 	void makeKernels(const CellGrid& grid);
+	/** The nodes of a direction bin, empty where all are zero. Valid until it is asked for another bin. */
+	std::vector<std::int64_t>& nodesOf(std::uint32_t bin);
+	/** The nodes of a direction bin; nullptr if they are all zero. */
+	const std::int64_t* findNodes(std::uint32_t bin) const;
+	/** Takes out layers without nodes. */
+	void dropEmptyLayers();
 	/** Recomputes everything that is made from the cells of this block alone. */
 	void rebuild(const CellGrid& grid);
 	std::size_t memoryBytes() const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <unordered_map>
@@ -27,6 +28,7 @@ Lattice::Lattice(const Options& options)
 	: frame_(options.sigma),
 	  grid_(options),
 	  spreader_(grid_, options.cutoff),
+	  sides_(options.sides && grid_.compacts()),
 	  tiles_(int(options.tileEdge / double(Frame::blockEdge)))
 {
 }
@@ -35,7 +37,14 @@ void Lattice::clear()
 {
 	tiles_.clear();
 	changed_.clear();
-	measurements_ = 0;
+	measurements_ = directed_ = 0;
+	tiles_.setSided(false);
+}
+
+std::uint32_t Lattice::binOf(const Measurement& m) const
+{
+	if (!sides_ || !std::isfinite(m.sensorX) || !std::isfinite(m.sensorY)) return 0;
+	return directionBin(Frame::rotateToLattice({m.sensorX - m.x, m.sensorY - m.y}));
 }
 
 Lattice::Delta Lattice::makeDelta(BlockIndex block, CellKey key, const CellSums& s)
@@ -55,7 +64,7 @@ std::vector<Lattice::Delta> Lattice::deltas(const std::vector<Measurement>& meas
 		const LatticePoint q = frame_.quantise({m.x, m.y});
 		const std::int64_t cx = grid_.index(q.u), cy = grid_.index(q.v);
 		const BlockIndex block{floorDiv(cx, perBlock), floorDiv(cy, perBlock)};
-		const CellKey key = makeCellKey(0, cx - block.x * perBlock, cy - block.y * perBlock);
+		const CellKey key = makeCellKey(binOf(m), cx - block.x * perBlock, cy - block.y * perBlock);
 		result.push_back(makeDelta(block, key, grid_.single(q)));
 	}
 	combine(result);
@@ -71,7 +80,7 @@ void Lattice::insertCells(const std::vector<CellRecord>& cells)
 	const double largest = 2 * frame_.largestCoordinate() * double(Frame::quantaPerSigma) / double(grid_.edge());
 	for (const CellRecord& c : cells)
 	{
-		if (c.n == 0 || c.n > maxCountPerCell || c.bin != 0)
+		if (c.n == 0 || c.n > maxCountPerCell || c.bin >= (sides_ ? directionBins : 1))
 			throw std::invalid_argument("ridge map: a stored cell has an impossible count or direction");
 		if (std::abs(double(c.cx)) > largest || std::abs(double(c.cy)) > largest)
 			throw std::invalid_argument("ridge map: a stored cell lies beyond the largest coordinate");
@@ -177,6 +186,7 @@ void Lattice::apply(std::vector<Delta> list, int sign)
 		if (sums.n == 0) tile->cellCount++;
 		if (after[i].n == 0) tile->cellCount--;
 		measurements_ += std::uint64_t(after[i].n) - sums.n;
+		if (cellBin(d.key) != 0) directed_ += std::uint64_t(after[i].n) - sums.n;
 		sums = after[i];
 	}
 }
@@ -186,15 +196,19 @@ template <class NodesOf>
 std::size_t Lattice::spreadChanges(Block& block, SpreadScratch& scratch, NodesOf nodesOf) const
 {
 	std::size_t kernels = 0;
+	std::uint32_t bin = 0;
+	const auto nodesOfBin = [&](int dx, int dy) -> std::vector<std::int64_t>& { return nodesOf(bin, dx, dy); };
 	for (const Cell& old : block.before)
 	{
+		if (cellBin(old.key) != bin) spreader_.finish(scratch, nodesOfBin);  // cells come bin by bin
+		bin = cellBin(old.key);
 		const Cell* now = block.find(old.key);
 		const CellSums& after = now ? now->sums : CellSums{};
 		if (after == old.sums) continue;
 		kernels += std::size_t(old.sums.n > 0) + std::size_t(after.n > 0);
-		spreader_.spread(old.key, old.sums, after, scratch, nodesOf);
+		spreader_.spread(old.key, old.sums, after, scratch, nodesOfBin);
 	}
-	spreader_.finish(scratch, nodesOf);
+	spreader_.finish(scratch, nodesOfBin);
 	block.forgetBefore();
 	return kernels;
 }
@@ -216,16 +230,21 @@ void Lattice::refreshTile(TileChanges& changes, SpreadScratch& scratch)
 		block.rebuild(grid_);
 		if (!grid_.compacts()) continue;
 		const std::int64_t column = b.x - corner.x, row = b.y - corner.y;
-		const auto nodesOf = [&](int dx, int dy) -> std::vector<std::int64_t>&
+		const auto nodesOf = [&](std::uint32_t bin, int dx, int dy) -> std::vector<std::int64_t>&
 		{
 			const std::int64_t x = column + dx, y = row + dy;
 			touched[std::size_t(y * 3 * n + x)] = true;
-			return around[std::size_t(y / n * 3 + x / n)]->blocks[std::size_t(y % n * n + x % n)].nodes;
+			return around[std::size_t(y / n * 3 + x / n)]->blocks[std::size_t(y % n * n + x % n)].nodesOf(bin);
 		};
 		changes.kernels += spreadChanges(block, scratch, nodesOf);
 	}
 	for (std::int64_t i = 0; i < 9 * n * n; i++)
-		if (touched[std::size_t(i)]) changes.touched.push_back({corner.x + i % (3 * n), corner.y + i / (3 * n)});
+		if (touched[std::size_t(i)])
+		{
+			const std::int64_t x = i % (3 * n), y = i / (3 * n);
+			around[std::size_t(y / n * 3 + x / n)]->blocks[std::size_t(y % n * n + x % n)].dropEmptyLayers();
+			changes.touched.push_back({corner.x + x, corner.y + y});
+		}
 }
 
 std::vector<Lattice::TileChanges> Lattice::changesByTile(const std::vector<BlockIndex>& blocks) const
@@ -284,6 +303,13 @@ std::vector<TileKey> Lattice::makeTilesInReach(const std::vector<BlockIndex>& bl
 Lattice::Changes Lattice::refresh(unsigned threads)
 {
 	Changes changes;
+	if (tiles_.isSided() != (directed_ > 0))
+	{
+		// Everything is to be looked at in another way.
+		tiles_.setSided(directed_ > 0);
+		forEachBlock([&](BlockIndex b, const Block&) { changed_.insert(b); });
+		changes.values = allLayers();
+	}
 	changes.cells.assign(changed_.begin(), changed_.end());
 	std::sort(changes.cells.begin(), changes.cells.end());
 	changed_.clear();
@@ -304,10 +330,25 @@ Lattice::Changes Lattice::refresh(unsigned threads)
 	if (!grid_.compacts()) changes.values = changes.cells;
 	std::sort(changes.values.begin(), changes.values.end());
 	changes.values.erase(std::unique(changes.values.begin(), changes.values.end()), changes.values.end());
-	const auto isEmpty = [](const Block& b) { return b.nodes.empty() && b.cells.empty(); };
+	const auto isEmpty = [](const Block& b) { return b.layers.empty() && b.cells.empty(); };
 	for (const TileKey& key : made)
 		if (const auto& b = tiles_.find(key)->blocks; std::all_of(b.begin(), b.end(), isEmpty)) tiles_.remove(key);
 	return changes;
+}
+
+/** All blocks in which L is not zero. */
+std::vector<BlockIndex> Lattice::allLayers() const
+{
+	std::vector<BlockIndex> result;
+	const std::int64_t n = tiles_.blocksPerEdge();
+	for (const TileKey& key : tiles_.keys())
+	{
+		const Tile& tile = *tiles_.find(key);
+		for (std::size_t i = 0; i < tile.blocks.size(); i++)
+			if (!tile.blocks[i].layers.empty())
+				result.push_back({key.x * n + std::int64_t(i) % n, key.y * n + std::int64_t(i) / n});
+	}
+	return result;
 }
 
 /** Calls fn(index, block) for every block with cells, row by row over the whole map. */

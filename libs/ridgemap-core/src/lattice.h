@@ -10,6 +10,7 @@
 #include "frame.h"
 #include "kernel_block.h"
 #include "tile.h"
+#include "viewing_direction.h"
 
 namespace ridgemap
 {
@@ -74,6 +75,9 @@ class Lattice
 
 	std::vector<Delta> deltas(const std::vector<Measurement>& m) const;
 	std::vector<Delta> allCells() const;
+	std::vector<BlockIndex> allLayers() const;
+	/** Bin of the viewing direction; 0 if it is not known or not to be used. */
+	std::uint32_t binOf(const Measurement& m) const;
 	static Delta makeDelta(BlockIndex block, CellKey key, const CellSums& s);
 	/** Sorts by cell and adds up what goes to the same one. */
 	static void combine(std::vector<Delta>& deltas);
@@ -102,8 +106,10 @@ class Lattice
 	Frame frame_;
 	CellGrid grid_;
 	KernelSpreader spreader_;
+	bool sides_;  ///< viewing directions are kept
 	TileStore tiles_;
 	std::uint64_t measurements_ = 0;
+	std::uint64_t directed_ = 0;  ///< measurements with a direction bin
 	std::unordered_set<BlockIndex, BlockIndexHash> changed_;
 };
 

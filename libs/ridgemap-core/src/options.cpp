@@ -27,10 +27,10 @@ void checkRange(const char* name, double value, double lowest, double highest, c
 
 auto tie(const Options& o)
 {
-	return std::tie(o.sigma, o.eps, o.lTol, o.dTol, o.cell, o.cutoff, o.tileEdge, o.maxStep, o.maxSensitivity,
+	return std::tie(o.sigma, o.eps, o.lTol, o.dTol, o.cell, o.cutoff, o.tileEdge, o.maxStep, o.maxSensitivity, o.sides,
 					o.minCurvature, o.stepRule, o.seedRule, o.prune, o.pruneLength, o.attach, o.attachDistance,
-					o.sharpen, o.trim, o.straighten, o.correctBends, o.freeSpace, o.freeSpaceTau, o.freeSpaceWindow,
-					o.freeSpaceLeast, o.freeSpaceMargin);
+					o.mergeDistance, o.sharpen, o.trim, o.straighten, o.correctBends, o.freeSpace, o.freeSpaceTau,
+					o.freeSpaceWindow, o.freeSpaceLeast, o.freeSpaceMargin);
 }
 }  // namespace
 
@@ -60,6 +60,7 @@ void Options::validate() const
 	checkRange("minCurvature", minCurvature, 0, 1, " per sigma^2");
 	checkRange("pruneLength", pruneLength, 0, 100, " sigma");
 	checkRange("attachDistance", attachDistance, 0, 5, " sigma");
+	checkRange("mergeDistance", mergeDistance, 0, 2, " sigma");
 	checkRange("freeSpaceTau", freeSpaceTau, 0, 1, "");
 	checkRange("freeSpaceWindow", freeSpaceWindow, 0, 10, " sigma");
 	checkRange("freeSpaceLeast", freeSpaceLeast, 0, 1e6, " passes");

@@ -7,6 +7,9 @@ namespace ridgemap
 {
 namespace
 {
+/** Above this the normal and the density of a side do not determine each other well enough. */
+constexpr double largestResponse = 0.5;
+
 /** Unit eigenvector of the larger eigenvalue of (xx xy; xy yy), by half-angle formulas. */
 Vec2 majorEigenvector(double halfDifference, double xy, double radius)
 {
@@ -44,8 +47,38 @@ RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s)
 	return r;
 }
 
+RidgePoint evaluateRidge(const TileField& field, Vec2 p, Vec2 normal)
+{
+	constexpr int maxIterations = 6;
+	constexpr double tolerance = 1e-3;  // angle [rad]
+	RidgePoint r = makeRidgePoint(p, field.sample(p, normal));
+	if (!field.isSided()) return r;
+	for (int i = 0;; i++)
+	{
+		if (dot(r.v1, normal) < 0)
+		{
+			r.v1 = -r.v1;
+			r.v2 = -r.v2;
+			r.f = -r.f;
+			r.df = -r.df;
+		}
+		if (!(r.occupancy > 0) || i == maxIterations || std::abs(cross(r.v1, normal)) < tolerance ||
+			sameWeights(r.v1, normal))
+		{
+			const KernelSums s = field.sampleTurn(p, r.v1);
+			const Vec2 a = r.v1, b = leftNormal(r.v1);
+			const double turn = s.hxx * a.x * b.x + s.hxy * (a.x * b.y + a.y * b.x) + s.hyy * a.y * b.y;
+			if (turn != 0) r.response = turn / (r.lambda1 - r.lambda2);
+			return r;
+		}
+		normal = r.v1;
+		r = makeRidgePoint(p, field.sample(p, normal));
+	}
+}
+
 double sensitivity(const RidgePoint& r)
 {
+	if (!(std::abs(r.response) <= largestResponse)) return std::numeric_limits<double>::infinity();
 	const double pull = -dot(r.df, r.v1);
 	if (!(pull > 0)) return std::numeric_limits<double>::infinity();
 	const double turn = std::abs(dot(r.gradient, r.v2)) / (r.lambda2 - r.lambda1);

@@ -3,6 +3,7 @@
 
 #include <ridgemap/options.h>
 
+#include "field.h"
 #include "kernel_sum.h"
 #include "vec2.h"
 
@@ -15,9 +16,12 @@ struct RidgePoint
 	double occupancy = 0;  ///< L
 	Vec2 gradient;
 	double lambda1 = 0, lambda2 = 0;  ///< eigenvalues of the Hessian, lambda1 <= lambda2
-	Vec2 v1, v2;                      ///< their unit eigenvectors, sign arbitrary
+	Vec2 v1, v2;   ///< their unit eigenvectors, sign arbitrary; in a sided field v1 points to the viewer
 	double f = 0;  ///< <grad L, v1>: zero on a ridge; its absolute value is the ridge function R, equation (8)
-	Vec2 df;       ///< exact gradient of f for a v1 that is carried along continuously
+	/** In a sided field: by how much v1 turns per radian that the normal of the density turns. The closer to 1, the
+	 * less the two determine each other. */
+	double response = 0;
+	Vec2 df;  ///< exact gradient of f for a v1 that is carried along continuously
 
 	/** Signed distance along `direction` to where f vanishes, to first order. */
 	double newtonStep(Vec2 direction) const { return -f / dot(df, direction); }
@@ -33,6 +37,11 @@ struct RidgePoint
 /** Eigenvectors, f and its gradient from the sums at p: equations (5)-(8), and
  * grad f = lambda1 v1 + <g, v2>/(lambda1 - lambda2) T(v1, v2, .). */
 RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s);
+
+/** The point with the density of the surface that passes here with a normal near `normal`: in a sided field the normal
+ * that the density is taken for must be the eigenvector v1 that comes out of it, found by iteration. Elsewhere `normal`
+ * has no meaning. */
+RidgePoint evaluateRidge(const TileField& field, Vec2 p, Vec2 normal);
 
 /** How far the ridge moves [sigma] per relative error of L and its derivatives: the fall of f across the ridge is what
  * resists, and an error of the Hessian turns v1 by its share of the eigen-gap. About 1.5 on a plain wall, without limit

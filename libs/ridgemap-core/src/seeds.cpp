@@ -26,12 +26,14 @@ Search judge(const RidgePoint& r, const Options& o)
 }
 
 /** Uphill along v1 while the density is not yet attractive, Newton's method on f where it is. */
-Search project(const TileField& field, const Options& options, Vec2 start, const std::function<bool(Vec2)>& known)
+Search project(const TileField& field, const Options& options, Vec2 start, Vec2 side,
+			   const std::function<bool(Vec2)>& known)
 {
 	Vec2 p = start, climbed;
 	for (int i = 0; i < maxIterations; i++)
 	{
-		const RidgePoint r = makeRidgePoint(p, field.sample(p));
+		const RidgePoint r = evaluateRidge(field, p, side);
+		side = r.v1;
 		if (!(r.occupancy > 0)) return {Search::noRidge, std::nullopt};
 		Vec2 move;
 		if (r.lambda1 < -0.05 * r.occupancy)
@@ -70,9 +72,10 @@ Vec2 trustRegionStep(const RidgePoint& r, double radius)
 	return length > radius ? (radius / length) * step : step;
 }
 
-Search climb(const TileField& field, const Options& options, Vec2 start, const std::function<bool(Vec2)>& known)
+Search climb(const TileField& field, const Options& options, Vec2 start, Vec2 side,
+			 const std::function<bool(Vec2)>& known)
 {
-	RidgePoint r = makeRidgePoint(start, field.sample(start));
+	RidgePoint r = evaluateRidge(field, start, side);
 	double radius = 0.5;
 	for (int i = 0; i < maxIterations && radius > tolerance; i++)
 	{
@@ -80,7 +83,7 @@ Search climb(const TileField& field, const Options& options, Vec2 start, const s
 		if (norm(step) < tolerance) return judge(r, options);
 		if (!field.inDomain(r.p + step)) return {};
 		if (known(r.p + step)) return {Search::noRidge, std::nullopt};
-		const RidgePoint next = makeRidgePoint(r.p + step, field.sample(r.p + step));
+		const RidgePoint next = evaluateRidge(field, r.p + step, r.v1);
 		const double a = dot(step, r.v1), b = dot(step, r.v2);
 		const double predicted = dot(r.gradient, step) + 0.5 * (r.lambda1 * a * a + r.lambda2 * b * b);
 		const double ratio = predicted > 0 ? (next.occupancy - r.occupancy) / predicted : 0;
@@ -91,10 +94,11 @@ Search climb(const TileField& field, const Options& options, Vec2 start, const s
 }
 }  // namespace
 
-Search findRidge(const TileField& field, const Options& options, Vec2 start, const std::function<bool(Vec2)>& known)
+Search findRidge(const TileField& field, const Options& options, Vec2 start, Vec2 side,
+				 const std::function<bool(Vec2)>& known)
 {
-	return options.seedRule == SeedRule::maximum ? climb(field, options, start, known)
-												 : project(field, options, start, known);
+	return options.seedRule == SeedRule::maximum ? climb(field, options, start, side, known)
+												 : project(field, options, start, side, known);
 }
 
 }  // namespace ridgemap

@@ -26,8 +26,9 @@ struct Search
 	std::optional<RidgePoint> ridge;
 };
 
-/** Looks for a ridge above L_tol by the rule of the options, starting at a measurement. Ends as soon as it comes to a
- * place that is `known`; that is asked for every place on the way. */
-Search findRidge(const TileField& field, const Options& options, Vec2 start, const std::function<bool(Vec2)>& known);
+/** Looks for a ridge above L_tol by the rule of the options, starting at a measurement that was seen from direction
+ * `side`. Ends as soon as it comes to a place that is `known`; that is asked for every place on the way. */
+Search findRidge(const TileField& field, const Options& options, Vec2 start, Vec2 side,
+				 const std::function<bool(Vec2)>& known);
 
 }  // namespace ridgemap

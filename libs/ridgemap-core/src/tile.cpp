@@ -5,7 +5,7 @@
 
 namespace ridgemap
 {
-TileStore::TileStore(const TileStore& o) : blocksPerEdge_(o.blocksPerEdge_)
+TileStore::TileStore(const TileStore& o) : blocksPerEdge_(o.blocksPerEdge_), sided_(o.sided_)
 {
 	tiles_.reserve(o.tiles_.size());
 	for (const auto& entry : o.tiles_) tiles_.emplace(entry.first, std::make_unique<Tile>(*entry.second));

@@ -41,9 +41,13 @@ struct Crossing
 {
 	Vec2 p;        ///< on the ridge and on the border [sigma]
 	Vec2 tangent;  ///< unit tangent of the ridge, either sense
+	Vec2 normal;   ///< unit normal of the ridge; in a sided field towards the viewer
 	double s = 0;  ///< arc length along the border from the start of the edge [sigma]
 
-	bool operator==(const Crossing& o) const { return p == o.p && tangent == o.tangent && s == o.s; }
+	bool operator==(const Crossing& o) const
+	{
+		return p == o.p && tangent == o.tangent && normal == o.normal && s == o.s;
+	}
 };
 
 /** The border between two tiles, from corner to corner. Straight, unless a ridge runs along it: borders give way to
@@ -78,10 +82,11 @@ struct PieceEnd
 /** A node of a ridge and what the density says there. */
 struct RidgeNode
 {
-	Vec2 p;  ///< frame of the tile [sigma]
+	Vec2 p;       ///< frame of the tile [sigma]
+	Vec2 normal;  ///< unit normal of the ridge; in a sided field towards the viewer
 	VertexInfo info;
 
-	bool operator==(const RidgeNode& o) const { return p == o.p && info == o.info; }
+	bool operator==(const RidgeNode& o) const { return p == o.p && normal == o.normal && info == o.info; }
 };
 
 /** The part of a polyline that lies in one tile. */
@@ -156,6 +161,9 @@ class TileStore
 	TileStore& operator=(TileStore&&) = default;
 
 	int blocksPerEdge() const { return blocksPerEdge_; }
+	/** Some measurements tell from which side they were seen. */
+	bool isSided() const { return sided_; }
+	void setSided(bool sided) { sided_ = sided; }
 	double tileEdge() const { return double(blocksPerEdge_ * Frame::blockEdge); }
 
 	const Tile* find(TileKey key) const
@@ -184,6 +192,7 @@ class TileStore
 
  private:
 	int blocksPerEdge_;
+	bool sided_ = false;
 	std::unordered_map<TileKey, std::unique_ptr<Tile>, TileKeyHash> tiles_;
 };
 

@@ -102,12 +102,13 @@ std::optional<TileBorder::Exit> TileBorder::exit(Vec2 a, Vec2 b) const
 	return best;
 }
 
-TileBorder::Port* TileBorder::match(const Exit& exit, Vec2 direction, double tolerance)
+TileBorder::Port* TileBorder::match(const Exit& exit, Vec2 direction, Vec2 side, double tolerance)
 {
 	Port* best = nullptr;
 	for (Port& port : ports_)
 	{
 		if (port.side != exit.side || port.consumed || dot(port.inward, direction) > -0.3) continue;
+		if (dot(port.crossing.normal, side) < 0) continue;
 		const double d = norm(port.crossing.p - exit.p);
 		if (d > tolerance) continue;
 		tolerance = d;

@@ -36,8 +36,9 @@ class TileBorder
 	bool contains(Vec2 p) const;
 	/** First place where the segment from a (inside or on the border) to b (outside) meets the border. */
 	std::optional<Exit> exit(Vec2 a, Vec2 b) const;
-	/** The free crossing nearest to an exit, within `tolerance` of it and along `direction`, or nullptr. */
-	Port* match(const Exit& exit, Vec2 direction, double tolerance);
+	/** The free crossing nearest to an exit, within `tolerance` of it, along `direction` and not on the other side than
+	 * `side`, or nullptr. */
+	Port* match(const Exit& exit, Vec2 direction, Vec2 side, double tolerance);
 
  private:
 	struct Wall

@@ -32,8 +32,8 @@ class TileTracer
 		: field_(field),
 		  border_(border),
 		  options_(options),
-		  covered_(field.tileEdge(), TileField::margin),
-		  searched_(field.tileEdge(), TileField::margin),
+		  covered_(field.isSided() ? directionBins : 1, PlaceSet(field.tileEdge(), TileField::margin)),
+		  searched_(covered_),
 		  tracer_(field, border, options, result_.pieces)
 	{
 	}
@@ -53,8 +53,8 @@ class TileTracer
 	{
 		if (port.consumed) return;
 		port.consumed = true;
-		const RidgePoint start = tracer_.evaluate(port.crossing.p);
-		if (tracer_.onPolyline(start.p, port.inward)) return;
+		const RidgePoint start = tracer_.evaluate(port.crossing.p, port.crossing.normal);
+		if (tracer_.onPolyline(start.p, port.inward, start.v1)) return;
 		result_.traces++;
 		RidgeTracer::Walk walk = tracer_.walk(start, port.inward);
 		Piece piece;
@@ -75,20 +75,20 @@ class TileTracer
 	{
 		const double edge = field_.tileEdge(), half = 0.5 * edge;
 		// Collected first: tracing must not depend on how far the loop over kernels has come.
-		std::vector<Vec2> starts;
+		std::vector<std::pair<Vec2, std::uint32_t>> starts;
 		field_.forEachCellNear(
 			{half, half}, half + seedMargin,
-			[&](Vec2 q, std::uint32_t)
+			[&](Vec2 q, std::uint32_t bin)
 			{
 				if (q.x >= -seedMargin && q.y >= -seedMargin && q.x <= edge + seedMargin && q.y <= edge + seedMargin)
-					starts.push_back(q);
+					starts.push_back({q, bin});
 			});
-		for (const Vec2& q : starts)
-			if (!covered_.contains(q) && !searched_.contains(q)) fromMeasurement(q);
+		for (const auto& [q, bin] : starts)
+			if (!covered_[bin].contains(q) && !searched_[bin].contains(q)) fromMeasurement(q, bin);
 	}
 
 	/** Looks for a ridge from one measurement, unless an earlier search came past. */
-	void fromMeasurement(Vec2 q)
+	void fromMeasurement(Vec2 q, std::uint32_t bin)
 	{
 		result_.seeds++;
 		path_.clear();
@@ -96,13 +96,13 @@ class TileTracer
 		const auto known = [&](Vec2 p)
 		{
 			path_.push_back(p);
-			return searched_.contains(p);
+			return searched_[bin].contains(p);
 		};
-		const Search search = findRidge(field_, options_, q, known);
+		const Search search = findRidge(field_, options_, q, bin > 0 ? binDirection(bin) : Vec2{1, 0}, known);
 		// Where this search came past, another one would end in the same place; unless this one ran out of its reach,
 		// which would take another one farther, but not to a ridge that is its own.
 		for (const Vec2& p : path_)
-			if (search.outcome != Search::gaveUp || norm(p - q) < 0.5 * searchReach) searched_.add(p);
+			if (search.outcome != Search::gaveUp || norm(p - q) < 0.5 * searchReach) searched_[bin].add(p);
 		const std::optional<RidgePoint>& seed = search.ridge;
 		if (!seed || !border_.contains(seed->p)) return;
 		result_.traces++;
@@ -149,8 +149,13 @@ class TileTracer
 	{
 		for (std::size_t i = 1; i < piece.nodes.size(); i++)
 		{
-			covered_.addCapsule(piece.nodes[i - 1].p, piece.nodes[i].p, coverDistance);
-			searched_.addCapsule(piece.nodes[i - 1].p, piece.nodes[i].p, knownDistance);
+			const RidgeNode &a = piece.nodes[i - 1], &b = piece.nodes[i];
+			for (std::uint32_t bin = 0; bin < covered_.size(); bin++)
+			{
+				if (!field_.sees(bin, b.normal)) continue;
+				covered_[bin].addCapsule(a.p, b.p, coverDistance);
+				searched_[bin].addCapsule(a.p, b.p, knownDistance);
+			}
 		}
 		result_.pieces.push_back(std::move(piece));
 	}
@@ -159,9 +164,9 @@ class TileTracer
 	TileBorder& border_;
 	const Options& options_;
 	TileTrace result_;
-	PlaceSet covered_;        ///< measurements here start no ridge
-	PlaceSet searched_;       ///< a search that comes here finds nothing new
-	std::vector<Vec2> path_;  ///< of the present search
+	std::vector<PlaceSet> covered_;   ///< by direction bin: measurements here start no ridge
+	std::vector<PlaceSet> searched_;  ///< by direction bin: a search that comes here finds nothing new
+	std::vector<Vec2> path_;          ///< of the present search
 	RidgeTracer tracer_;
 };
 }  // namespace

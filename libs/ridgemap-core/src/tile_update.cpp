@@ -132,7 +132,7 @@ std::vector<UpdateRegion> findRegions(const std::vector<Work>& works, const Latt
 
 bool isDefault(const Tile& t)
 {
-	const auto hasNodes = [](const Block& b) { return !b.nodes.empty(); };
+	const auto hasNodes = [](const Block& b) { return !b.layers.empty(); };
 	return t.cellCount == 0 && std::none_of(t.blocks.begin(), t.blocks.end(), hasNodes) && t.pieces.empty() &&
 		   t.stubs.empty() && t.corner == Vec2{} && t.bottom.path.size() <= 2 && t.left.path.size() <= 2 &&
 		   t.bottom.crossings.empty() && t.left.crossings.empty();

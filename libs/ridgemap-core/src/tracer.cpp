@@ -46,7 +46,7 @@ RidgeTracer::RidgeTracer(const TileField& field, TileBorder& border, const Optio
 
 RidgeNode RidgeTracer::node(const RidgePoint& r) const
 {
-	RidgeNode n{r.p, {}};
+	RidgeNode n{r.p, r.v1, {}};
 	n.info.occupancy = float(r.occupancy);
 	n.info.curvature = float(-r.lambda1 / r.occupancy);
 	n.info.standardError = float(ridgeUncertainty(n.info, options_.sigma).standardError);
@@ -90,7 +90,7 @@ RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) con
 			if (h < endResolution) break;
 			continue;
 		}
-		if (!step.port && onPolyline(next.p, tangent))
+		if (!step.port && onPolyline(next.p, tangent, next.v1))
 		{
 			reason = StopReason::hitPolyline;
 			break;
@@ -164,11 +164,11 @@ void RidgeTracer::finishAtBorder(const State& state, double h, Vec2 outside, Pro
 	const auto exit = border_.exit(state.point.p, outside);
 	if (!exit) return;
 	proposal.exit = exit->p;
-	TileBorder::Port* port = border_.match(*exit, state.tangent, 0.3 + 0.3 * h);
+	TileBorder::Port* port = border_.match(*exit, state.tangent, sideOf(state.point), 0.3 + 0.3 * h);
 	if (!port) return;
 	proposal.exits = false;
 	proposal.port = port;
-	proposal.next.point = evaluate(port->crossing.p);
+	proposal.next.point = evaluate(port->crossing.p, port->crossing.normal);
 	proposal.next.converged = true;
 }
 
@@ -180,7 +180,7 @@ StopReason RidgeTracer::exitReason(const State& state, Vec2 p) const
 		const Relaxed there =
 			relax(p + beyond * state.tangent, leftNormal(state.tangent), state.point.v1, shortSegment);
 		if (!there.converged) return there.reason;
-		if (!isSupported(field_, options_, there.point.p, state.tangent)) return StopReason::noMeasurement;
+		if (!isSupported(field_, options_, there.point, state.tangent)) return StopReason::noMeasurement;
 	}
 	return StopReason::unregisteredExit;
 }
@@ -193,7 +193,7 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 	{
 		const Vec2 p = x + moved * normal;
 		if (!field_.inDomain(p)) return result;
-		const RidgePoint r = evaluate(p);
+		const RidgePoint r = evaluate(p, v1);
 		const double orientation = dot(r.v1, normal);
 		// Only a way through places that determine a ridge can be expected to lead to one.
 		if (!isRidgeLike(r, options_) || std::abs(dot(r.v1, v1)) <= 0.5) result.reason = StopReason::notARidge;
@@ -247,7 +247,7 @@ RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, con
 	if (error > limit) return {false, error};
 	const auto offset = [&](double t)
 	{
-		const RidgePoint r = evaluate(a.p + t * chord);
+		const RidgePoint r = evaluate(a.p + t * chord, a.v1);
 		if (!isRidgeLike(r, options_) || std::abs(dot(r.v1, normal)) < 0.6) return none;
 		return r.newtonStep(normal);
 	};
@@ -288,12 +288,14 @@ bool RidgeTracer::closesLoop(const State& state, const RidgePoint& next) const
 		   foot.t * norm(next.p - state.point.p) > 1e-6;
 }
 
-bool RidgeTracer::onPolyline(Vec2 p, Vec2 direction) const
+bool RidgeTracer::onPolyline(Vec2 p, Vec2 direction, Vec2 normal) const
 {
+	const auto otherSide = [&](const RidgeNode& n) { return field_.isSided() && dot(n.normal, normal) < 0; };
 	for (const Piece& piece : pieces_)
 		for (std::size_t i = 1; i < piece.nodes.size(); i++)
 		{
 			const Vec2 a = piece.nodes[i - 1].p, b = piece.nodes[i].p;
+			if (otherSide(piece.nodes[i])) continue;
 			if (footOnSegment(a, b, p).distance < 1.5 * eps_ && std::abs(dot(unit(b - a), direction)) > 0.8)
 				return true;
 		}
@@ -309,9 +311,10 @@ bool RidgeTracer::measurementNear(const RidgePoint& r, Vec2 tangent) const
 	bool near = false;
 	field_.forEachCellNear(
 		r.p, options_.dTol + supportWidth,
-		[&](Vec2 q, std::uint32_t)
+		[&](Vec2 q, std::uint32_t bin)
 		{
 			const Vec2 d = q - r.p;
+			if (!field_.sees(bin, r.v1)) return;
 			near = near || (std::abs(dot(d, tangent)) <= reach && std::abs(cross(tangent, d)) <= supportWidth);
 		});
 	return near;
@@ -332,9 +335,10 @@ void RidgeTracer::trimToMeasurements(Walk& walk) const
 	const double extent = CellGrid(options_).halfExtent();
 	const double reach = length + supportWidth;
 	const Vec2 tip = walk.nodes.back().p;
-	const auto visit = [&](Vec2 q, std::uint32_t)
+	const Vec2 side = walk.nodes.back().normal;
+	const auto visit = [&](Vec2 q, std::uint32_t bin)
 	{
-		if (back <= 0 || dot(q - tip, q - tip) > reach * reach) return;
+		if (back <= 0 || dot(q - tip, q - tip) > reach * reach || !field_.sees(bin, side)) return;
 		double behind = 0, bestBehind = length, best = supportWidth;
 		for (std::size_t i = walk.nodes.size() - 1; i > first && behind < back + extent; i--)
 		{
@@ -363,10 +367,12 @@ void RidgeTracer::trimToMeasurements(Walk& walk) const
 			back -= segment;
 			continue;
 		}
-		const Vec2 cut = b.p + (back / segment) * (a - b.p), normal = leftNormal((1 / segment) * (b.p - a));
+		const Vec2 cut = b.p + (back / segment) * (a - b.p);
+		Vec2 normal = leftNormal((1 / segment) * (b.p - a));
+		if (dot(normal, b.normal) < 0) normal = -normal;
 		const Relaxed end = relax(cut, normal, normal, eps_);
 		const bool usable = end.converged && border_.contains(end.point.p);
-		walk.nodes.push_back(usable ? node(end.point) : RidgeNode{cut, b.info});
+		walk.nodes.push_back(usable ? node(end.point) : RidgeNode{cut, b.normal, b.info});
 		return;
 	}
 }

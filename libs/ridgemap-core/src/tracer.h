@@ -58,9 +58,10 @@ class RidgeTracer
 	};
 	Relaxed relax(Vec2 x, Vec2 normal, Vec2 v1, double reach) const;
 
-	RidgePoint evaluate(Vec2 p) const { return makeRidgePoint(p, field_.sample(p)); }
-	/** p lies within eps of a polyline of about this direction. */
-	bool onPolyline(Vec2 p, Vec2 direction) const;
+	/** The point of the ridge with a normal near `normal`, see evaluateRidge(). */
+	RidgePoint evaluate(Vec2 p, Vec2 normal) const { return evaluateRidge(field_, p, normal); }
+	/** p lies within eps of a polyline of about this direction; in a sided field, seen from the same side. */
+	bool onPolyline(Vec2 p, Vec2 direction, Vec2 normal) const;
 
  private:
 	struct Proposal
@@ -78,6 +79,8 @@ class RidgeTracer
 	struct State;
 
 	RidgeNode node(const RidgePoint& r) const;
+	/** The side from which a ridge is seen; zero where that makes no difference. */
+	Vec2 sideOf(const RidgePoint& r) const { return field_.isSided() ? r.v1 : Vec2{}; }
 	Proposal propose(const State& state, double h) const;
 	void finishAtBorder(const State& state, double h, Vec2 outside, Proposal& proposal) const;
 	StopReason exitReason(const State& state, Vec2 p) const;

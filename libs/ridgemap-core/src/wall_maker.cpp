@@ -29,6 +29,7 @@ WallMaker::WallMaker(const Options& options)
 	: options_(options),
 	  clear_(options),
 	  withdraw_(options),
+	  sides_(options),
 	  joiners_{EndJoiner(options), EndJoiner(options), EndJoiner(options)},
 	  grid_(4 * options.sigma)
 {
@@ -38,7 +39,8 @@ std::vector<Polyline> WallMaker::make(const Lines& ridges, const FreeSpace& spac
 {
 	// What rays passed through goes before lines are pruned and joined, so that no other line is led to it.
 	Lines lines = clear_.cut(cutRidges(ridges), space, false);
-	lines = shape(lines);
+	lines = sides_.merge(withoutShort(lines));
+	lines = shape(withoutShort(lines));
 	if (options_.attach) lines = joinEnds(lines);
 	if (options_.trim) lines = trim(lines);
 	// Bridges, leads and corners in free space are withdrawn while vertices still know the density.
@@ -72,13 +74,21 @@ Lines WallMaker::cutRidges(const Lines& ridges)
 	return result;
 }
 
+Lines WallMaker::withoutShort(const Lines& lines) const
+{
+	if (!options_.prune) return lines;
+	Lines result;
+	for (const LinePtr& line : lines)
+		if (!isShort(*line, options_)) result.push_back(line);
+	return result;
+}
+
 /** Corners come before ends are joined: these are then led to where the walls are. */
 Lines WallMaker::shape(const Lines& lines)
 {
 	Lines result;
 	for (const LinePtr& line : lines)
 	{
-		if (options_.prune && isShort(*line, options_)) continue;
 		const auto sharpened = [&] { return std::make_shared<const Polyline>(sharpenCorners(*line, options_)); };
 		result.push_back(options_.sharpen ? shaped_.get(MemoKey().add(line), sharpened) : line);
 	}

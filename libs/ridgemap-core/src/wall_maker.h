@@ -11,6 +11,7 @@
 #include "join_ends.h"
 #include "line_grid.h"
 #include "memo.h"
+#include "merge_sides.h"
 
 namespace ridgemap
 {
@@ -31,6 +32,7 @@ class WallMaker
 
  private:
 	Lines cutRidges(const Lines& ridges);
+	Lines withoutShort(const Lines& lines) const;
 	Lines shape(const Lines& lines);
 	Lines joinEnds(const Lines& lines);
 	Lines trim(const Lines& lines);
@@ -41,6 +43,7 @@ class WallMaker
 	Options options_;
 	Memo<Lines> strong_;
 	FreeCutter clear_, withdraw_;
+	SideMerger sides_;
 	Memo<LinePtr> shaped_;
 	std::array<EndJoiner, 3> joiners_;  ///< ends that a lead has come close to follow in further rounds
 	Memo<LinePtr> trimmed_, straightened_, seated_;

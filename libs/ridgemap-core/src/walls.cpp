@@ -1,43 +1,55 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "walls.h"
 
+#include <algorithm>
+
 #include "free_cut.h"
 #include "wall_maker.h"
 
 namespace ridgemap
 {
-std::vector<Polyline> cutWeak(const Polyline& line, const Options& options)
+std::vector<Polyline> withoutVertices(const Polyline& line, const std::vector<bool>& leftOut, StopReason reason)
 {
 	std::vector<Polyline> result;
 	const std::size_t n = line.points.size();
-	const auto weak = [&](std::size_t k) { return line.info[k].curvature < float(options.minCurvature); };
-	std::size_t first = 0;
-	while (first < n && !weak(first)) first++;
+	const std::size_t first = std::size_t(std::find(leftOut.begin(), leftOut.end(), true) - leftOut.begin());
 	if (first == n) return {line};
-	// A closed line is cut at its first weak vertex, so that no run is torn at its arbitrary beginning.
+	// A closed line is cut at the first of these vertices, so that no run is torn at its arbitrary beginning.
 	const std::size_t begin = line.closed ? first : 0, count = line.closed ? n - 1 : n;
 	Polyline run;
-	const auto finish = [&](StopReason reason)
+	const auto start = [&](StopReason why)
 	{
-		run.endReason = reason;
-		if (run.points.size() >= 2) result.push_back(run);
 		run = Polyline();
-		run.startReason = StopReason::notARidge;
+		run.startReason = why;
+		run.side = line.side;
 	};
-	run.startReason = line.closed ? StopReason::notARidge : line.startReason;
+	const auto finish = [&](StopReason why)
+	{
+		run.endReason = why;
+		if (run.points.size() >= 2) result.push_back(run);
+		start(reason);
+	};
+	start(line.closed ? reason : line.startReason);
 	for (std::size_t i = 0; i < count; i++)
 	{
 		const std::size_t k = line.closed ? (begin + i) % count : i;
-		if (weak(k))
+		if (leftOut[k])
 		{
-			finish(StopReason::notARidge);
+			finish(reason);
 			continue;
 		}
 		run.points.push_back(line.points[k]);
 		run.info.push_back(line.info[k]);
 	}
-	finish(line.closed ? StopReason::notARidge : line.endReason);
+	finish(line.closed ? reason : line.endReason);
 	return result;
+}
+
+std::vector<Polyline> cutWeak(const Polyline& line, const Options& options)
+{
+	std::vector<bool> weak;
+	for (const VertexInfo& v : line.info) weak.push_back(v.curvature < float(options.minCurvature));
+	return withoutVertices(line, weak, StopReason::notARidge);
 }
 
 bool isShort(const Polyline& line, const Options& options)

@@ -12,6 +12,9 @@ namespace ridgemap
 {
 class FreeSpace;
 
+/** The parts of a line that remain without some of its vertices; where it is cut, the ends have the given reason. */
+std::vector<Polyline> withoutVertices(const Polyline& line, const std::vector<bool>& leftOut, StopReason reason);
+
 /** Leaves out stretches whose vertices are less curved across than `minCurvature`: rungs between walls, which the ridge
  * criterion admits but no surface made. */
 std::vector<Polyline> cutWeak(const Polyline& line, const Options& options);

@@ -62,6 +62,7 @@ void visitFields(const TCreationOptions*, O& o, V&& visit)
 	visit(FieldInfo{"maxSensitivity", "", "ridges end where a relative error of the density would move them by more", 1,
 					1e6},
 		  o.maxSensitivity);
+	visit(FieldInfo{"sides", "", "keep a density for every viewing side where the sensor position is known"}, o.sides);
 	visit(FieldInfo{"stepRule", "", "step along a ridge: from the verified error, or as in the paper"}, o.stepRule);
 	visit(FieldInfo{"seedRule", "", "initial guesses: projection onto the ridge, or local maxima as in the paper"},
 		  o.seedRule);
@@ -71,6 +72,10 @@ void visitFields(const TCreationOptions*, O& o, V&& visit)
 	visit(FieldInfo{"pruneLength", "sigma", "walls: chains shorter than this are left out", 0, 100}, o.pruneLength);
 	visit(FieldInfo{"attach", "", "walls: join free ends to the walls beside them"}, o.attach);
 	visit(FieldInfo{"attachDistance", "sigma", "walls: farthest that a free end is joined", 0, 5}, o.attachDistance);
+	visit(FieldInfo{"mergeDistance", "sigma",
+					"walls: lines from different sides that run along each other nearer than this become one; 0: none",
+					0, 2},
+		  o.mergeDistance);
 	visit(FieldInfo{"trim", "", "walls: move free ends back to where the surface ends"}, o.trim);
 	visit(FieldInfo{"sharpen", "", "walls: put a vertex where the straight arms of a rounded corner meet"}, o.sharpen);
 	visit(FieldInfo{"straighten", "", "walls: draw straight and circular stretches as fitted lines and arcs"},

@@ -34,6 +34,9 @@ struct Options
 	/** Greatest factor by which a relative error of the density may move a ridge, in sigma, 1 .. 1e6. It grows without
 	 * limit at umbilic points, where the place of a ridge is not determined; ridges end where it is exceeded. */
 	double maxSensitivity = 50;
+	/** Keep a density for every viewing side where the sensor position is known, so that the two faces of a thin wall
+	 * stay apart; off: the density of the paper. Takes no effect with `cell` = 0. */
+	bool sides = true;
 	StepRule stepRule = StepRule::error;       ///< how the step along a ridge is chosen
 	SeedRule seedRule = SeedRule::projection;  ///< how initial guesses are found
 
@@ -43,6 +46,10 @@ struct Options
 	double pruneLength = 3;       ///< walls: chains shorter than this are left out [sigma], 0 .. 100
 	bool attach = true;           ///< walls: join free ends to the walls beside them
 	double attachDistance = 2.2;  ///< walls: farthest that a free end is joined [sigma], 0 .. 5
+
+	/** walls: lines seen from different sides that run along each other nearer than this become one [sigma], 0 .. 2;
+	 * 0: none */
+	double mergeDistance = 0.5;
 
 	bool sharpen = true;  ///< walls: put a vertex where the straight arms of a rounded corner meet
 

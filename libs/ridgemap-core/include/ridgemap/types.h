@@ -108,6 +108,9 @@ struct Polyline
 	std::vector<Point2> points;    ///< at least 2; a closed polyline repeats its first point at the end
 	std::vector<VertexInfo> info;  ///< one for every point
 	bool closed = false;
+	/** From which side it was seen: +1 from the left of its direction, -1 from the right; 0: not known, or from both.
+	 */
+	int side = 0;
 	StopReason startReason = StopReason::belowThreshold;  ///< why it ends at points.front()
 	StopReason endReason = StopReason::belowThreshold;    ///< why it ends at points.back()
 	/** Walls: standard deviation s of the measurements across the wall, estimated from the density [m]; 0: not told. */
