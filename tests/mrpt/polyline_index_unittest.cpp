@@ -153,7 +153,10 @@ TEST(PolylineIndex, ManyQueriesAtOnceGiveTheSameDistances)
 	for (std::size_t i = 0; i < queries.size(); i++)
 	{
 		EXPECT_DOUBLE_EQ(std::sqrt(squares[i]), one.distance(queries[i], 5));
-		if (i > 1) EXPECT_NEAR(std::sqrt(squares[i]), std::min(5.0, exhaustiveDistance(polylines, queries[i])), 1e-9);
+		if (i > 1)
+		{
+			EXPECT_NEAR(std::sqrt(squares[i]), std::min(5.0, exhaustiveDistance(polylines, queries[i])), 1e-9);
+		}
 	}
 	PolylineIndex({}, 1).distancesSqr(queries, 5, squares);
 	EXPECT_EQ(squares, std::vector<double>(queries.size(), 25));
