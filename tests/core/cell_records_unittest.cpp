@@ -128,7 +128,7 @@ TEST(CellRecords, ForgedOnesAreTurnedDown)
 	const std::vector<std::pair<const char*, std::function<void(CellRecord&)>>> forgeries{
 		{"no measurement", [](CellRecord& c) { c.n = 0; }},
 		{"count above the limit", [](CellRecord& c) { c.n = 0x80000001u; }},
-		{"a direction that is not used", [](CellRecord& c) { c.bin = 1; }},
+		{"a direction that is none", [](CellRecord& c) { c.bin = 9; }},
 		{"column beyond the largest coordinate", [](CellRecord& c) { c.cx = std::int64_t(1) << 32; }},
 		{"lowest column", [](CellRecord& c) { c.cx = std::numeric_limits<std::int64_t>::min(); }},
 		{"row beyond the largest coordinate", [](CellRecord& c) { c.cy = -(std::int64_t(1) << 32); }},

@@ -241,6 +241,7 @@ TEST(FreeCut, WithoutSensorsOrSwitchedOffNothingChanges)
 		const auto seen = seenScene(std::uint64_t(seed), options.sigma);
 		off.sigma = options.sigma;
 		off.freeSpace = false;
+		options.sides = off.sides = false;  // which know the sensors too
 		auto blind = seen;
 		for (Measurement& m : blind) m = {m.x, m.y};
 		RidgeMap a(options), b(off), c(off);

@@ -13,6 +13,7 @@ namespace
 {
 constexpr double seatReach =
 	1;  ///< farthest that a led end is moved when the line below it has been drawn anew [sigma]
+constexpr double meetReach = 0.6;  ///< farthest that two ends that were led to each other meet again [sigma]
 
 const Point2& endOf(const Polyline& line, bool back)
 {
@@ -31,7 +32,8 @@ WallMaker::WallMaker(const Options& options)
 	  withdraw_(options),
 	  sides_(options),
 	  joiners_{EndJoiner(options), EndJoiner(options), EndJoiner(options)},
-	  grid_(4 * options.sigma)
+	  grid_(4 * options.sigma),
+	  closeGaps_(options)
 {
 }
 
@@ -46,7 +48,7 @@ std::vector<Polyline> WallMaker::make(const Lines& ridges, const FreeSpace& spac
 	// Bridges, leads and corners in free space are withdrawn while vertices still know the density.
 	lines = withdraw_.cut(lines, space, options_.prune);
 	lines = straighten(lines);
-	if (options_.attach) lines = seat(lines);
+	if (options_.attach) lines = closeGaps_.close(seat(lines));
 
 	std::vector<Polyline> walls;
 	for (const LinePtr& line : lines) walls.push_back(*line);
@@ -208,6 +210,15 @@ LinePtr WallMaker::seated(const LinePtr& line, const std::array<std::vector<int>
 				const double sine = cross(along, b - a), t = sine != 0 ? cross(a - tip, b - a) / sine : 0;
 				const double u = sine != 0 ? cross(a - tip, along) / sine : -1;
 				if (u >= 0 && u <= 1 && std::abs(t) < seatReach * options_.sigma) seat = tip + t * along;
+				// Where the other line ends here too, led to this one, the two meet half-way.
+				for (const bool otherBack : {false, true})
+				{
+					const Polyline& other = *lines[std::size_t(i)];
+					const Vec2 gap = Vec2{endOf(other, otherBack).x, endOf(other, otherBack).y} - tip;
+					if (lines[std::size_t(i)] != line && isLed(other, otherBack) &&
+						norm(gap) < meetReach * options_.sigma)
+						seat = tip + 0.5 * gap;
+				}
 				(back ? p.points.back() : p.points.front()) = {seat.x, seat.y};
 			}
 		}

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "free_cut.h"
+#include "gap_closer.h"
 #include "join_ends.h"
 #include "line_grid.h"
 #include "memo.h"
@@ -48,6 +49,7 @@ class WallMaker
 	std::array<EndJoiner, 3> joiners_;  ///< ends that a lead has come close to follow in further rounds
 	Memo<LinePtr> trimmed_, straightened_, seated_;
 	LineGrid grid_;  ///< of the lines that led ends are seated on
+	GapCloser closeGaps_;
 };
 
 }  // namespace ridgemap

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "gap_closer.h"
+
+#include <cmath>
+
+#include "wall_path.h"
+
+namespace ridgemap
+{
+namespace
+{
+constexpr double widestGap = 1.5;  ///< [sigma]
+constexpr double touching = 1e-9;  ///< [sigma]
+
+bool mayHaveGap(const Polyline& line, bool back)
+{
+	return !line.closed && (back ? line.endReason : line.startReason) != StopReason::passedThrough;
+}
+
+const Point2& endOf(const Polyline& line, bool back)
+{
+	return back ? line.points.back() : line.points.front();
+}
+}  // namespace
+
+Lines GapCloser::close(const Lines& lines)
+{
+	grid_.follow(lines);
+	Lines result;
+	for (const LinePtr& line : lines)
+	{
+		std::array<std::vector<int>, 2> near;
+		MemoKey key;
+		key.add(line);
+		bool any = false;
+		for (const bool back : {false, true})
+		{
+			if (mayHaveGap(*line, back)) near[back] = grid_.near(endOf(*line, back), widestGap * sigma_);
+			for (const int i : near[back])
+			{
+				key.add(lines[std::size_t(i)]);
+				any = any || lines[std::size_t(i)] != line;
+			}
+			key.add(back);
+		}
+		result.push_back(any ? memo_.get(std::move(key), [&] { return closed(line, near, lines); }) : line);
+	}
+	memo_.forgetUnused();
+	return result;
+}
+
+LinePtr GapCloser::closed(const LinePtr& line, const std::array<std::vector<int>, 2>& near, const Lines& lines) const
+{
+	Polyline p = *line;
+	bool changed = false;
+	for (const bool back : {true, false})
+	{
+		const Vec2 tip{endOf(*line, back).x, endOf(*line, back).y};
+		double best = widestGap * sigma_;
+		Vec2 foot;
+		bool touches = false;
+		for (const int i : near[back])
+		{
+			const LinePtr& other = lines[std::size_t(i)];
+			const Path path(*other);
+			for (std::size_t k = 1; k < other->points.size(); k++)
+			{
+				const Vec2 a{other->points[k - 1].x, other->points[k - 1].y}, b{other->points[k].x, other->points[k].y};
+				const SegmentFoot f = footOnSegment(a, b, tip);
+				const double arc = path.arc(k - 1) + f.t * norm(b - a), end = back ? path.length() : 0;
+				if (other == line && std::abs(arc - end) <= 2 * widestGap * sigma_) continue;
+				touches = touches || f.distance <= touching * sigma_;
+				if (other == line || f.distance >= best) continue;
+				best = f.distance;
+				foot = a + f.t * (b - a);
+			}
+		}
+		if (touches || best >= widestGap * sigma_) continue;
+		changed = true;
+		p.points.insert(back ? p.points.end() : p.points.begin(), {foot.x, foot.y});
+		p.info.insert(back ? p.info.end() : p.info.begin(), madeVertex(VertexOrigin::junction));
+	}
+	return changed ? std::make_shared<const Polyline>(std::move(p)) : line;
+}
+
+}  // namespace ridgemap
