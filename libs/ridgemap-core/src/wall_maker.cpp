@@ -13,8 +13,6 @@ namespace
 {
 constexpr double seatReach =
 	1;  ///< farthest that a led end is moved when the line below it has been drawn anew [sigma]
-constexpr double meetReach = 0.6;  ///< farthest that two ends that were led to each other meet again [sigma]
-
 const Point2& endOf(const Polyline& line, bool back)
 {
 	return back ? line.points.back() : line.points.front();
@@ -210,15 +208,6 @@ LinePtr WallMaker::seated(const LinePtr& line, const std::array<std::vector<int>
 				const double sine = cross(along, b - a), t = sine != 0 ? cross(a - tip, b - a) / sine : 0;
 				const double u = sine != 0 ? cross(a - tip, along) / sine : -1;
 				if (u >= 0 && u <= 1 && std::abs(t) < seatReach * options_.sigma) seat = tip + t * along;
-				// Where the other line ends here too, led to this one, the two meet half-way.
-				for (const bool otherBack : {false, true})
-				{
-					const Polyline& other = *lines[std::size_t(i)];
-					const Vec2 gap = Vec2{endOf(other, otherBack).x, endOf(other, otherBack).y} - tip;
-					if (lines[std::size_t(i)] != line && isLed(other, otherBack) &&
-						norm(gap) < meetReach * options_.sigma)
-						seat = tip + 0.5 * gap;
-				}
 				(back ? p.points.back() : p.points.front()) = {seat.x, seat.y};
 			}
 		}
