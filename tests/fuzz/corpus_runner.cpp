@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Runs a fuzz target without libFuzzer: on its seeds, on the files given, and on random changes of both.
-//   TARGET [-runs=N] [-seed=N] [FILE...]
+//   TARGET [-runs=N] [-seed=N] [-write=DIRECTORY] [FILE...]
+// With -write, the seeds are written as files for libFuzzer, and nothing is run.
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -55,6 +56,15 @@ Bytes changed(Bytes bytes, const std::vector<Bytes>& all, std::mt19937& random)
 	}
 	return bytes;
 }
+
+int writeSeeds(const std::string& directory)
+{
+	int n = 0;
+	for (const Bytes& bytes : ridgemap::fuzz::seeds())
+		std::ofstream(directory + "/seed-" + std::to_string(n++), std::ios::binary)
+			.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
+	return n == 0;
+}
 }  // namespace
 
 int main(int argc, char** argv)
@@ -67,6 +77,8 @@ int main(int argc, char** argv)
 			runs = std::atol(argv[i] + 6);
 		else if (std::strncmp(argv[i], "-seed=", 6) == 0)
 			seed = unsigned(std::atol(argv[i] + 6));
+		else if (std::strncmp(argv[i], "-write=", 7) == 0)
+			return writeSeeds(argv[i] + 7);
 		else
 		{
 			std::ifstream in(argv[i], std::ios::binary);

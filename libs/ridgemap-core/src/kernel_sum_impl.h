@@ -49,9 +49,10 @@ inline double laneSum(const Float8& v)
 	return (d[0] + d[1]) + (d[2] + d[3]);
 }
 
-inline const UnalignedFloat8& load(const float* p)
+/** To be dereferenced at once: behind a reference, clang forgets that it need not be aligned. */
+inline const UnalignedFloat8* at(const float* p)
 {
-	return *reinterpret_cast<const UnalignedFloat8*>(p);
+	return reinterpret_cast<const UnalignedFloat8*>(p);
 }
 
 inline KernelSums sumKernelsImpl(const BlockView* views, std::size_t count)
@@ -62,8 +63,7 @@ inline KernelSums sumKernelsImpl(const BlockView* views, std::size_t count)
 		const BlockView& v = views[i];
 		for (const KernelGroup* g = v.groups; g != v.groups + v.count; ++g)
 		{
-			const Float8 kx = load(g->x), ky = load(g->y), a = load(g->a), b = load(g->b), c = load(g->c),
-						 w = load(g->w);
+			const Float8 kx = *at(g->x), ky = *at(g->y), a = *at(g->a), b = *at(g->b), c = *at(g->c), w = *at(g->w);
 			const Float8 dx = v.dx - kx, dy = v.dy - ky;
 			const Float8 ux = a * dx + b * dy, uy = b * dx + c * dy;  // S^-1 (x - mu)
 			Float8 e;
@@ -281,25 +281,32 @@ inline void tapWeights(const Float8& u, Float8 (&w)[4])
 	for (int order = 0; order < 4; order++)
 	{
 		const auto& c = interpolationWeights.c[order];
-		w[order] = load(c[0]);
-		for (int k = 1; k <= interpolationDegree - order; k++) w[order] = w[order] * u + load(c[k]);
+		w[order] = *at(c[0]);
+		for (int k = 1; k <= interpolationDegree - order; k++) w[order] = w[order] * u + *at(c[k]);
 	}
 }
+
+// The same instruction has one name with GCC before 12, another with clang.
+#ifdef __clang__
+#define RIDGEMAP_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
+#else
+#define RIDGEMAP_SHUFFLE(a, b, ...) __builtin_shuffle(a, b, Int8{__VA_ARGS__})
+#endif
 
 /** Sums over the lanes of eight vectors: lane order 0, 2, 4, 6, 1, 3, 5, 7. */
 inline void laneSums(const Float8 (&v)[8], Float8& result)
 {
-	const Int8 low = {0, 1, 2, 3, 8, 9, 10, 11}, high = {4, 5, 6, 7, 12, 13, 14, 15};
-	const Int8 first = {0, 1, 8, 9, 4, 5, 12, 13}, second = {2, 3, 10, 11, 6, 7, 14, 15};
-	const Int8 even = {0, 2, 8, 10, 4, 6, 12, 14}, odd = {1, 3, 9, 11, 5, 7, 13, 15};
 	Float8 half[4], quarter[2];
 	for (int i = 0; i < 4; i++)
-		half[i] = __builtin_shuffle(v[2 * i], v[2 * i + 1], low) + __builtin_shuffle(v[2 * i], v[2 * i + 1], high);
+		half[i] = RIDGEMAP_SHUFFLE(v[2 * i], v[2 * i + 1], 0, 1, 2, 3, 8, 9, 10, 11) +
+				  RIDGEMAP_SHUFFLE(v[2 * i], v[2 * i + 1], 4, 5, 6, 7, 12, 13, 14, 15);
 	for (int i = 0; i < 2; i++)
-		quarter[i] = __builtin_shuffle(half[2 * i], half[2 * i + 1], first) +
-					 __builtin_shuffle(half[2 * i], half[2 * i + 1], second);
-	result = __builtin_shuffle(quarter[0], quarter[1], even) + __builtin_shuffle(quarter[0], quarter[1], odd);
+		quarter[i] = RIDGEMAP_SHUFFLE(half[2 * i], half[2 * i + 1], 0, 1, 8, 9, 4, 5, 12, 13) +
+					 RIDGEMAP_SHUFFLE(half[2 * i], half[2 * i + 1], 2, 3, 10, 11, 6, 7, 14, 15);
+	result = RIDGEMAP_SHUFFLE(quarter[0], quarter[1], 0, 2, 8, 10, 4, 6, 12, 14) +
+			 RIDGEMAP_SHUFFLE(quarter[0], quarter[1], 1, 3, 9, 11, 5, 7, 13, 15);
 }
+#undef RIDGEMAP_SHUFFLE
 
 inline KernelSums interpolateNodesImpl(const float* corner, int stride, float tx, float ty)
 {
@@ -310,7 +317,7 @@ inline KernelSums interpolateNodesImpl(const float* corner, int stride, float tx
 	Float8 r0{}, r1{}, r2{}, r3{};  // derivatives along y of every column
 	for (int row = 0; row < 8; row++)
 	{
-		const Float8 nodes = load(corner + row * stride);
+		const Float8 nodes = *at(corner + row * stride);
 		r0 += y[0][row] * nodes;
 		r1 += y[1][row] * nodes;
 		r2 += y[2][row] * nodes;
