@@ -14,12 +14,7 @@ constexpr double touching = 1e-9;  ///< [sigma]
 
 bool mayHaveGap(const Polyline& line, bool back)
 {
-	return !line.closed && (back ? line.endReason : line.startReason) != StopReason::passedThrough;
-}
-
-const Point2& endOf(const Polyline& line, bool back)
-{
-	return back ? line.points.back() : line.points.front();
+	return !line.closed && reasonAt(line, back) != StopReason::passedThrough;
 }
 }  // namespace
 
@@ -65,7 +60,7 @@ LinePtr GapCloser::closed(const LinePtr& line, const std::array<std::vector<int>
 			const Path path(*other);
 			for (std::size_t k = 1; k < other->points.size(); k++)
 			{
-				const Vec2 a{other->points[k - 1].x, other->points[k - 1].y}, b{other->points[k].x, other->points[k].y};
+				const Vec2 a = vertexAt(*other, k - 1), b = vertexAt(*other, k);
 				const SegmentFoot f = footOnSegment(a, b, tip);
 				const double arc = path.arc(k - 1) + f.t * norm(b - a), end = back ? path.length() : 0;
 				if (other == line && std::abs(arc - end) <= 2 * widestGap * sigma_) continue;

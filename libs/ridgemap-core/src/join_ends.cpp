@@ -210,7 +210,7 @@ StopReason EndJoiner::reasonAt(LineEnd e) const
 {
 	if (targetOf(e).found) return StopReason::hitPolyline;
 	const Polyline& line = *lines_[std::size_t(e.line)];
-	return e.back ? line.endReason : line.startReason;
+	return ridgemap::reasonAt(line, e.back);
 }
 
 }  // namespace ridgemap

@@ -41,6 +41,8 @@ void Lattice::refreshTile(TileChanges& changes, SpreadScratch& scratch)
 		around[std::size_t(i)] = tiles_.find({changes.key.x + i % 3 - 1, changes.key.y + i / 3 - 1});
 	const BlockIndex corner{(changes.key.x - 1) * n, (changes.key.y - 1) * n};
 	std::vector<bool> touched(std::size_t(9 * n * n), false);
+	const auto blockNear = [&](std::int64_t x, std::int64_t y) -> Block&
+	{ return around[std::size_t(y / n * 3 + x / n)]->blocks[std::size_t(y % n * n + x % n)]; };
 	for (const BlockIndex& b : changes.blocks)
 	{
 		Block& block = around[4]->blocks[slot(b)];
@@ -52,7 +54,7 @@ void Lattice::refreshTile(TileChanges& changes, SpreadScratch& scratch)
 		{
 			const std::int64_t x = column + dx, y = row + dy;
 			touched[std::size_t(y * 3 * n + x)] = true;
-			return around[std::size_t(y / n * 3 + x / n)]->blocks[std::size_t(y % n * n + x % n)].nodesOf(bin);
+			return blockNear(x, y).nodesOf(bin);
 		};
 		changes.kernels += spreadChanges(block, scratch, nodesOf);
 	}
@@ -60,7 +62,7 @@ void Lattice::refreshTile(TileChanges& changes, SpreadScratch& scratch)
 		if (touched[std::size_t(i)])
 		{
 			const std::int64_t x = i % (3 * n), y = i / (3 * n);
-			around[std::size_t(y / n * 3 + x / n)]->blocks[std::size_t(y % n * n + x % n)].dropEmptyLayers();
+			blockNear(x, y).dropEmptyLayers();
 			changes.touched.push_back({corner.x + x, corner.y + y});
 		}
 }

@@ -13,11 +13,6 @@ namespace
 {
 constexpr double parallel = 0.9;  ///< least cosine between lines that run along each other
 
-Vec2 at(const Polyline& line, std::size_t k)
-{
-	return {line.points[k].x, line.points[k].y};
-}
-
 /** Where another line runs along a vertex. */
 struct Companion
 {
@@ -37,14 +32,14 @@ bool isLonger(const Polyline& a, double lengthA, const Polyline& b, double lengt
 
 Vec2 directionAt(const Polyline& line, std::size_t k)
 {
-	return unit(at(line, std::min(k + 1, line.points.size() - 1)) - at(line, k > 0 ? k - 1 : 0));
+	return unit(vertexAt(line, std::min(k + 1, line.points.size() - 1)) - vertexAt(line, k > 0 ? k - 1 : 0));
 }
 
 void tryLine(const Polyline& other, Vec2 p, Vec2 direction, bool longer, Companion& best)
 {
 	for (std::size_t k = 1; k < other.points.size(); k++)
 	{
-		const Vec2 a = at(other, k - 1), b = at(other, k);
+		const Vec2 a = vertexAt(other, k - 1), b = vertexAt(other, k);
 		const SegmentFoot foot = footOnSegment(a, b, p);
 		if (foot.distance >= best.distance || std::abs(dot(unit(b - a), direction)) < parallel) continue;
 		best = {true, longer, foot.distance, a + foot.t * (b - a),
@@ -96,16 +91,17 @@ Lines SideMerger::merge(const Lines& lines)
 Lines SideMerger::merged(const LinePtr& line, const Lines& near) const
 {
 	const double length = line->length();
+	std::vector<bool> longer;
+	for (const LinePtr& other : near) longer.push_back(isLonger(*other, other->length(), *line, length));
 	std::vector<bool> doubled(line->points.size(), false);
 	Polyline moved = *line;
 	bool changed = false;
 	for (std::size_t k = 0; k < line->points.size(); k++)
 	{
-		const Vec2 p = at(*line, k), direction = directionAt(*line, k);
+		const Vec2 p = vertexAt(*line, k), direction = directionAt(*line, k);
 		Companion best;
 		best.distance = distance_;
-		for (const LinePtr& other : near)
-			tryLine(*other, p, direction, isLonger(*other, other->length(), *line, length), best);
+		for (std::size_t i = 0; i < near.size(); i++) tryLine(*near[i], p, direction, longer[i], best);
 		if (!best.found) continue;
 		changed = true;
 		doubled[k] = best.longer;

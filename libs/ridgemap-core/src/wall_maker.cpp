@@ -13,10 +13,6 @@ namespace
 {
 constexpr double seatReach =
 	1;  ///< farthest that a led end is moved when the line below it has been drawn anew [sigma]
-const Point2& endOf(const Polyline& line, bool back)
-{
-	return back ? line.points.back() : line.points.front();
-}
 
 bool isLed(const Polyline& line, bool back)
 {
@@ -126,7 +122,7 @@ Lines WallMaker::trim(const Lines& lines)
 		std::array<bool, 2> free{};
 		for (const bool back : {false, true})
 		{
-			if (line->closed || (back ? line->endReason : line->startReason) == StopReason::hitPolyline) continue;
+			if (line->closed || reasonAt(*line, back) == StopReason::hitPolyline) continue;
 			free[back] = !visited(endOf(*line, back), visitedRange(*line, options_));
 		}
 		if (!free[0] && !free[1])

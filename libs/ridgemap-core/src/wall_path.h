@@ -11,6 +11,24 @@
 
 namespace ridgemap
 {
+/** Vertex number k. */
+inline Vec2 vertexAt(const Polyline& line, std::size_t k)
+{
+	return {line.points[k].x, line.points[k].y};
+}
+
+/** First or last point of a line. */
+inline const Point2& endOf(const Polyline& line, bool back)
+{
+	return back ? line.points.back() : line.points.front();
+}
+
+/** Why the line ends at its first or last point. */
+inline StopReason reasonAt(const Polyline& line, bool back)
+{
+	return back ? line.endReason : line.startReason;
+}
+
 /** A polyline by arc length. */
 class Path
 {
