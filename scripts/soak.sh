@@ -26,7 +26,7 @@ while [ $# -gt 0 ]; do
 	shift
 done
 
-targets=(states map_file text svg)
+targets=(states map_file text svg plan)
 say "seed $seed"
 build dev
 bin="$root/build-dev/bin"

@@ -73,8 +73,11 @@ Plan readOgr(const std::string& path, const std::set<std::string>& layers)
 {
 	GzInput readable(path);
 	GDALAllRegister();
-	CPLPushErrorHandler(CPLQuietErrorHandler);
-	const std::unique_ptr<GDALDataset> data(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));
+	const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);
+	CPLErrorReset();
+	// Others take files of any name, too, and some of them open what these files name: other files, or servers.
+	const char* const drivers[] = {"DXF", "GeoJSON", nullptr};
+	const std::unique_ptr<GDALDataset> data(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
 	const std::string cause = CPLGetLastErrorMsg();
 	if (!data)
 		throw UserError("'" + path + "' cannot be read" + (cause.empty() ? "" : ": " + cause),
@@ -89,7 +92,6 @@ Plan readOgr(const std::string& path, const std::set<std::string>& layers)
 			const std::unique_ptr<OGRGeometry> straight(geometry->getLinearGeometry());
 			addGeometry(*straight, plan);
 		}
-	CPLPopErrorHandler();
 	if (std::string(data->GetDriverName()) == "DXF") plan.metresPerUnit = dxfUnit(path);
 	return plan;
 }

@@ -1,32 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Building plans in SVG: whole files, or the data of one path.
-#include <unistd.h>
 
-#include <fstream>
 #include <stdexcept>
 
 #include "../../apps/ridgemap-import/plan_readers.h"
 #include "fuzz_target.h"
+#include "text_input.h"
 
 namespace ridgemap::fuzz
 {
-namespace
-{
-std::vector<std::uint8_t> bytesOf(char kind, const std::string& text)
-{
-	std::vector<std::uint8_t> bytes(text.begin(), text.end());
-	bytes.insert(bytes.begin(), std::uint8_t(kind));
-	return bytes;
-}
-}  // namespace
-
 std::vector<std::vector<std::uint8_t>> seeds()
 {
-	return {bytesOf(0, "M 1 2 L 3 4 H 5 V 6 Z m 1,1 c 1 2 3 4 5 6 s 1 2 3 4 q 1 2 3 4 t 5 6 z"),
-			bytesOf(1,
-					"<svg width='10mm' viewBox='0 0 100 50'><g id='walls' transform='rotate(30) scale(2,3)'>"
-					"<line x1='1' y1='2' x2='3' y2='4'/><polyline points='1,2 3,4 5,6'/><rect x='1' y='1' width='3' "
-					"height='4'/><polygon points='0,0 1,0 1,1'/><path d='M0 0L1 1'/></g></svg>")};
+	return {textSeed(0, "M 1 2 L 3 4 H 5 V 6 Z m 1,1 c 1 2 3 4 5 6 s 1 2 3 4 q 1 2 3 4 t 5 6 z"),
+			textSeed(1,
+					 "<svg width='10mm' viewBox='0 0 100 50'><g id='walls' transform='rotate(30) scale(2,3)'>"
+					 "<line x1='1' y1='2' x2='3' y2='4'/><polyline points='1,2 3,4 5,6'/><rect x='1' y='1' width='3' "
+					 "height='4'/><polygon points='0,0 1,0 1,1'/><path d='M0 0L1 1'/></g></svg>")};
 }
 }  // namespace ridgemap::fuzz
 
@@ -42,9 +31,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 			apps::parseSvgPath(text);
 			return 0;
 		}
-		static const std::string path = "/tmp/ridgemap-fuzz-" + std::to_string(getpid()) + ".svg";
-		std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
-		apps::readSvg(path, {});
+		static const fuzz::ScratchFile file(".svg");
+		apps::readSvg(file.with(text), {});
 	}
 	catch (const std::exception& e)
 	{

@@ -3,36 +3,20 @@
 #include <mrpt/config/CConfigFileMemory.h>
 #include <ridgemap/map_options.h>
 #include <ridgemap/options.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <fstream>
 #include <string>
 
 #include "../../apps/common/user_error.h"
 #include "../../apps/ridgemap-build/points_reader.h"
 #include "../../apps/ridgemap-build/pose_track.h"
 #include "fuzz_target.h"
+#include "text_input.h"
 
 namespace ridgemap::fuzz
 {
 namespace
 {
-std::vector<std::uint8_t> bytesOf(char kind, const std::string& text)
-{
-	std::vector<std::uint8_t> bytes(text.begin(), text.end());
-	bytes.insert(bytes.begin(), std::uint8_t(kind));
-	return bytes;
-}
-
-/** A file of this process with these contents. */
-std::string fileOf(const std::string& text)
-{
-	static const std::string path = "/tmp/ridgemap-fuzz-" + std::to_string(getpid());
-	std::ofstream(path, std::ios::binary | std::ios::trunc) << text;
-	return path;
-}
-
 void readPoints(const std::string& path)
 {
 	apps::PointsReader reader(path);
@@ -69,12 +53,12 @@ std::vector<std::vector<std::uint8_t>> seeds()
 {
 	std::string ini = "[map_creationOpts]\n";
 	for (const std::string& key : MapOptions::keys()) ini += key + " = " + MapOptions().getOption(key) + "\n";
-	return {bytesOf(0, "x,y\n1,2\n3;4\n# comment\n5 6 7 8\n"),
-			bytesOf(0, "1e5\t-1e-300\n+2 .5\n"),
-			bytesOf(1, "1 2 3 0.4\n2 2.5 3 0.5\n"),
-			bytesOf(1, "1 2 3 4 0 0 0 1\n5 6 7 8 0 0.6 0 0.8\n"),
-			bytesOf(2, ini),
-			bytesOf(2, "[map_creationOpts]\nsigma = 0.1 // m\n[map_insertOpts]\nmaxRange=30\n")};
+	return {textSeed(0, "x,y\n1,2\n3;4\n# comment\n5 6 7 8\n"),
+			textSeed(0, "1e5\t-1e-300\n+2 .5\n"),
+			textSeed(1, "1 2 3 0.4\n2 2.5 3 0.5\n"),
+			textSeed(1, "1 2 3 4 0 0 0 1\n5 6 7 8 0 0.6 0 0.8\n"),
+			textSeed(2, ini),
+			textSeed(2, "[map_creationOpts]\nsigma = 0.1 // m\n[map_insertOpts]\nmaxRange=30\n")};
 }
 }  // namespace ridgemap::fuzz
 
@@ -83,15 +67,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 	using namespace ridgemap;
 	if (size == 0) return 0;
 	const std::string text(data + 1, data + size);
+	static const fuzz::ScratchFile file("");
 	try
 	{
 		switch (data[0] % 3)
 		{
 			case 0:
-				fuzz::readPoints(fuzz::fileOf(text));
+				fuzz::readPoints(file.with(text));
 				break;
 			case 1:
-				fuzz::readPoses(fuzz::fileOf(text));
+				fuzz::readPoses(file.with(text));
 				break;
 			default:
 				fuzz::readOptions(text);

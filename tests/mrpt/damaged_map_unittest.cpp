@@ -3,8 +3,11 @@
 // else, and never more memory than a small multiple of the data.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -103,7 +106,30 @@ bool take(const Bytes& bytes, CRidgeMap2D& target, const Bytes& before)
 		return false;
 	}
 }
+
+/** What fsync() below was asked to write, in order. */
+std::vector<std::string>& syncs()
+{
+	static std::vector<std::string> all;
+	return all;
+}
+
+bool& syncFails()
+{
+	static bool fails = false;
+	return fails;
+}
 }  // namespace
+
+/** Takes the place of the C library's in this program. */
+extern "C" int fsync(int fd)
+{
+	std::error_code ignored;
+	syncs().push_back(fs::read_symlink("/proc/self/fd/" + std::to_string(fd), ignored).string());
+	if (!syncFails()) return int(syscall(SYS_fsync, fd));
+	errno = EIO;
+	return -1;
+}
 
 TEST(DamagedFile, EveryFlippedBitIsNoticedOrHarmless)
 {
@@ -321,6 +347,33 @@ TEST(Versions, OptionsOfNewerOnesAreAnErrorThatNamesThem)
 	{
 		EXPECT_NE(std::string(e.what()).find("XreeSpaceTau"), std::string::npos) << e.what();
 	}
+}
+
+TEST(AtomicFiles, FileAndThenFolderAreOnTheDisk)
+{
+	const Folder folder;
+	CRidgeMap2D map;
+	map.insertMeasurements({{1, 2}});
+	syncs().clear();
+	saveRidgeMap(folder / "a.ridgemap", map);
+	ASSERT_EQ(syncs().size(), 2u);
+	EXPECT_EQ(syncs()[0].find(folder / "a.ridgemap.tmp-"), 0u) << syncs()[0];
+	EXPECT_EQ(syncs()[1] + "/a.ridgemap", folder / "a.ridgemap");
+}
+
+TEST(AtomicFiles, ADiskThatFailsIsAnErrorThatLeavesTheOldFile)
+{
+	const Folder folder;
+	const std::string path = folder / "a.ridgemap";
+	CRidgeMap2D map;
+	saveRidgeMap(path, map);
+	const Bytes before = contentOf(path);
+	map.insertMeasurements({{1, 2}});
+	syncFails() = true;
+	EXPECT_THROW(saveRidgeMap(path, map), std::exception);
+	syncFails() = false;
+	EXPECT_TRUE(contentOf(path) == before);
+	EXPECT_EQ(folder.files(), 1u) << "a temporary file stays";
 }
 
 TEST(FullDisk, LeavesTheOldFile)

@@ -110,6 +110,53 @@ TEST(ScanWindow, WhatIsErasedOrMovedByHandIsForgottenOnce)
 	expectScansAlone(map, scans, 8, 14);
 }
 
+TEST(ScanWindow, AScanThatCannotBeTakenOutLeavesTheMapAsItWas)
+{
+	const auto scans = drive(8);
+	CRidgeMap2D map = emptyMap(3, 0);
+	for (std::size_t i = 0; i < 3; i++) map.insertObservation(scans[i].scan, scans[i].pose);
+	// Of three scans that have to go, the last one is no longer there: as in a forged file, whose window is not
+	// checked.
+	map.eraseMeasurements(observationToMeasurements(scans[2].scan, scans[2].pose, map.insertionOptions));
+	map.insertionOptions.keepScans = 1;
+	const auto before = bytesOf(map);
+	const auto ridges = map.ridges();
+	for (int attempt = 0; attempt < 2; attempt++)
+	{
+		try
+		{
+			map.insertObservation(scans[3].scan, scans[3].pose);
+			FAIL() << "a scan was taken out that is not there";
+		}
+		catch (const std::exception& e)
+		{
+			EXPECT_NE(std::string(e.what()).find("sliding window"), std::string::npos) << e.what();
+		}
+		EXPECT_TRUE(bytesOf(map) == before);
+		EXPECT_TRUE(samePolylines(map.ridges(), ridges));
+	}
+	// The ways out that the message names.
+	CRidgeMap2D open = map;
+	open.insertionOptions.keepScans = 0;
+	open.insertObservation(scans[3].scan, scans[3].pose);
+	EXPECT_FALSE(open.isEmpty());
+	map.clear();
+	for (std::size_t i = 3; i < 6; i++) map.insertObservation(scans[i].scan, scans[i].pose);
+	expectScansAlone(map, scans, 5, 6);
+}
+
+TEST(ScanWindow, AScanOlderThanTheWindowGoesAtOnce)
+{
+	const auto scans = drive(12);
+	CRidgeMap2D map = emptyMap(0, 1);
+	for (std::size_t i = 4; i < 12; i++) map.insertObservation(scans[i].scan, scans[i].pose);
+	map.insertObservation(scans[0].scan, scans[0].pose);
+	expectScansAlone(map, scans, 7, 12);
+	map.insertionOptions.keepScans = 2;
+	map.insertObservation(scans[6].scan, scans[6].pose);
+	expectScansAlone(map, scans, 11, 12);
+}
+
 TEST(FreeRays, BeamsWithoutReturnAreFreeAsFarAsAsked)
 {
 	const auto scans = drive(1);

@@ -2,6 +2,9 @@
 #include <ridgemap/CRidgeMap2D.h>
 #include <ridgemap/observation_to_measurements.h>
 
+#include <stdexcept>
+#include <string>
+
 #include "map_state.h"
 
 namespace ridgemap
@@ -29,6 +32,24 @@ void apply(RidgeMap& map, const ObservedScan& scan, bool insert)
 	{
 		insert ? map.erase(scan.measurements) : map.insert(scan.measurements);
 		throw;
+	}
+}
+
+/** Adds a scan and takes out those that it makes outdated: all or, if there is an error, none. */
+void exchange(RidgeMap& map, const ObservedScan& scan, const std::vector<const ObservedScan*>& outdated)
+{
+	apply(map, scan, true);
+	std::size_t out = 0;
+	try
+	{
+		for (; out < outdated.size(); out++) apply(map, *outdated[out], false);
+	}
+	catch (const std::exception& e)
+	{
+		while (out > 0) apply(map, *outdated[--out], true);
+		apply(map, scan, false);
+		throw std::runtime_error("a scan of the sliding window cannot be taken out of the map (" +
+								 std::string(e.what()) + "): set keepScans and keepSeconds to 0, or clear the map");
 	}
 }
 }  // namespace
@@ -75,10 +96,12 @@ void CRidgeMap2D::insertScan(const ObservedScan& scan)
 {
 	throwIfFrozen("cannot insert a scan");
 	const TInsertionOptions& o = insertionOptions;
-	change(state_, [&](RidgeMap& map) { apply(map, scan, true); });
-	if (o.keepScans == 0 && !(o.keepSeconds > 0) && state_->window.empty()) return;
-	MapState& mine = own(state_);
-	for (const ObservedScan& old : mine.window.push(scan, o.keepScans, o.keepSeconds)) apply(mine.core, old, false);
+	if (o.keepScans == 0 && !(o.keepSeconds > 0) && state_->window.empty())
+		return change(state_, [&](RidgeMap& map) { apply(map, scan, true); });
+	ScanWindow& window = own(state_).window;
+	const auto outdated = window.outdatedBy(scan, o.keepScans, o.keepSeconds);
+	change(state_, [&](RidgeMap& map) { exchange(map, scan, outdated); });
+	window.push(scan, o.keepScans, o.keepSeconds);
 }
 
 void CRidgeMap2D::eraseScan(const ObservedScan& scan)

@@ -38,6 +38,23 @@ std::string createBeside(const std::string& path)
 	fail(path, EEXIST);
 }
 
+/** Waits until what was written is on the disk. EINVAL: there is nothing to wait for, such as a pipe. */
+void syncToDisk(int fd, const std::string& path)
+{
+	const int error = fsync(fd) != 0 ? errno : 0;
+	close(fd);
+	if (error != 0 && error != EINVAL) fail(path, error);
+}
+
+/** Without this, a crash of the machine could bring back the old name. */
+void syncFolderOf(const std::string& path)
+{
+	const std::size_t slash = path.rfind('/');
+	const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+	const int fd = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+	if (fd >= 0) syncToDisk(fd, path);  // else one may write into the folder but not read it
+}
+
 }  // namespace
 
 AtomicFile::AtomicFile(const std::string& path) : path_(path)
@@ -85,9 +102,7 @@ void AtomicFile::finish()
 	// Without this, a crash of the machine after the rename could leave an empty file under the final name.
 	const int fd = open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
 	if (fd < 0) fail(path_, errno);
-	const int error = fsync(fd) != 0 ? errno : 0;
-	close(fd);
-	if (error != 0 && error != EINVAL) fail(path_, error);
+	syncToDisk(fd, path_);
 	finished_ = true;
 }
 
@@ -96,6 +111,7 @@ void AtomicFile::commit()
 	finish();
 	if (std::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, errno);
 	temporary_.clear();
+	syncFolderOf(path_);
 }
 
 }  // namespace ridgemap

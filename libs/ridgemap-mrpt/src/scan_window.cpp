@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cstring>
-#include <iterator>
+#include <functional>
+#include <limits>
 
 namespace ridgemap
 {
@@ -59,24 +60,33 @@ bool sameContent(const ObservedScan& a, const ObservedScan& b)
 }
 }  // namespace
 
-std::vector<ObservedScan> ScanWindow::push(ObservedScan scan, unsigned keepScans, double keepSeconds)
+std::vector<const ObservedScan*> ScanWindow::outdatedBy(const ObservedScan& scan, unsigned keepScans,
+														double keepSeconds) const
 {
-	scans_.push_back(std::move(scan));
-	std::vector<ObservedScan> old;
-	while (keepScans > 0 && scans_.size() > keepScans)
-	{
-		old.push_back(std::move(scans_.front()));
-		scans_.pop_front();
-	}
-	if (!(keepSeconds > 0)) return old;
-	double newest = scans_.front().time;
-	for (const ObservedScan& s : scans_) newest = std::max(newest, s.time);
+	std::vector<const ObservedScan*> all;
+	for (const ObservedScan& s : scans_) all.push_back(&s);
+	all.push_back(&scan);
+	const auto firstKept = all.begin() + (keepScans > 0 && all.size() > keepScans ? long(all.size() - keepScans) : 0);
+	if (!(keepSeconds > 0)) return {all.begin(), firstKept};
+	double newest = -std::numeric_limits<double>::infinity();
+	for (auto s = firstKept; s != all.end(); ++s) newest = std::max(newest, (*s)->time);
 	// Observations of several sensors need not come in the order of their times.
-	const auto kept = std::stable_partition(scans_.begin(), scans_.end(),
-											[&](const ObservedScan& s) { return s.time >= newest - keepSeconds; });
-	std::move(kept, scans_.end(), std::back_inserter(old));
-	scans_.erase(kept, scans_.end());
-	return old;
+	const auto end = std::stable_partition(firstKept, all.end(),
+										   [&](const ObservedScan* s) { return !(s->time >= newest - keepSeconds); });
+	return {all.begin(), end};
+}
+
+void ScanWindow::push(const ObservedScan& scan, unsigned keepScans, double keepSeconds)
+{
+	auto outdated = outdatedBy(scan, keepScans, keepSeconds);
+	std::sort(outdated.begin(), outdated.end(), std::less<>());
+	const auto isOutdated = [&](const ObservedScan* s)
+	{ return std::binary_search(outdated.begin(), outdated.end(), s, std::less<>()); };
+	std::deque<ObservedScan> kept;
+	for (ObservedScan& s : scans_)
+		if (!isOutdated(&s)) kept.push_back(std::move(s));
+	if (!isOutdated(&scan)) kept.push_back(scan);
+	scans_ = std::move(kept);
 }
 
 std::deque<ObservedScan>::iterator ScanWindow::find(const ObservedScan& scan)

@@ -14,9 +14,12 @@ namespace ridgemap
 class ScanWindow
 {
  public:
-	/** Adds the newest scan and returns what has to go now: all but the last `keepScans`, and all older than
-	 * `keepSeconds` before the newest time seen; 0: no such limit. */
-	std::vector<ObservedScan> push(ObservedScan scan, unsigned keepScans, double keepSeconds);
+	/** What has to go when a scan is added: all but the last `keepScans`, and all older than `keepSeconds` before the
+	 * newest time seen; 0: no such limit. The scan that is added may be among them. */
+	std::vector<const ObservedScan*> outdatedBy(const ObservedScan& scan, unsigned keepScans, double keepSeconds) const;
+
+	/** Adds the newest scan and forgets what it makes outdated. */
+	void push(const ObservedScan& scan, unsigned keepScans, double keepSeconds);
 
 	/** Forgets a scan that was taken out by itself. Nothing happens if it is not here. */
 	void forget(const ObservedScan& scan);

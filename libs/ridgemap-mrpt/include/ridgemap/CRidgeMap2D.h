@@ -87,7 +87,8 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	void eraseFreeRays(const std::vector<FreeRay>& rays);
 	/** Adds what a scan saw, as insertObservation() does. With insertionOptions.keepScans or keepSeconds, scans that
 	 * have become too old are taken out: the map is then that of the kept scans alone, to the bit. The map remembers
-	 * the scans that it has to take out later, and its copies and files do, too. */
+	 * the scans that it has to take out later, and its copies and files do, too. Throws as RidgeMap::insert(), and if
+	 * the map no longer holds what has to be taken out; the map is then as before. */
 	void insertScan(const ObservedScan& scan);
 	/** Takes out a scan that was inserted before, as eraseObservation() does; errors as in RidgeMap::erase(). */
 	void eraseScan(const ObservedScan& scan);

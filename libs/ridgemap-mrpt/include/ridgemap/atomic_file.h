@@ -34,7 +34,8 @@ class AtomicFile
 	 * before the first of them appears. Throws std::runtime_error as the constructor does. */
 	void finish();
 
-	/** finish(), then renames the temporary file onto the target. */
+	/** finish(), then renames the temporary file onto the target, and waits until the disk has both. Throws as the
+	 * constructor does; the target is then as it was, or complete but perhaps not yet on the disk. */
 	void commit();
 
  private:
