@@ -93,6 +93,24 @@ TEST(PointToLine, DirectionsWithoutEvidenceStayAsTheyAre)
 	EXPECT_NEAR(found.pose.phi, 0, 1e-5);
 }
 
+TEST(PointToLine, FacesOfAThinWallAreToldApart)
+{
+	// Seen from the right. The line of the other face runs where the points are at the start.
+	auto back = line({0, -2}, {0, 2}), front = line({0.12, -2}, {0.12, 2});
+	back.side = 1;
+	front.side = -1;
+	const MatchingTargets targets({back, front, line({0.12, 2}, {4, 2.5})}, {}, {});
+	const PlanarPose truth{2, 0, 0.1};
+	const auto points = seenFrom({front, line({0.12, 2}, {2, 2.2423}, 10)}, truth);
+	TMatchingOptions options;
+	for (const bool sides : {false, true})
+	{
+		options.matchSides = sides;
+		const Alignment found = alignToLines(targets, points, {1.89, 0, 0.1}, {0.1, 0, 2, {}}, options);
+		EXPECT_EQ(std::abs(found.pose.x - truth.x) < 1e-3, sides) << found.pose.x;
+	}
+}
+
 TEST(PointToLine, LoneMeasurementsAreTargetsOnlyFarFromPolylines)
 {
 	const std::vector<Polyline> wall{line({0, 0}, {1, 0})};

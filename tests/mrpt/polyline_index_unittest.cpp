@@ -99,6 +99,40 @@ TEST(PolylineIndex, HonoursTheGreatestDistance)
 	EXPECT_LT(found, 1900);
 }
 
+TEST(PolylineIndex, FindsTheNearestLineThatCanBeSeen)
+{
+	std::mt19937 random(11);
+	std::uniform_real_distribution<double> unit(-1, 1);
+	auto polylines = randomPolylines(random, {0, 0}, 10);
+	for (std::size_t i = 0; i < polylines.size(); i++) polylines[i].side = int(i % 3) - 1;
+	const PolylineIndex index(polylines, 0.5);
+	int hidden = 0;
+	for (int i = 0; i < 2000; i++)
+	{
+		const Point2 q{12 * unit(random), 12 * unit(random)}, from{12 * unit(random), 12 * unit(random)};
+		const double limit = i % 10 == 0 ? 1e3 : 6 * std::abs(unit(random));
+		double expected = limit;
+		for (const auto& p : polylines)
+			for (std::size_t k = 1; k < p.points.size(); k++)
+			{
+				const Point2 &a = p.points[k - 1], &b = p.points[k];
+				const double angle = std::atan2(b.y - a.y, b.x - a.x) - std::atan2(from.y - a.y, from.x - a.x);
+				if (p.side * std::sin(-angle) < -0.17) continue;
+				expected = std::min(expected, distanceToSegment(a, b, q));
+			}
+		const auto found = index.visibleFoot(q, from, limit);
+		ASSERT_EQ(found.has_value(), expected < limit) << i;
+		if (found)
+		{
+			EXPECT_NEAR(std::sqrt(found->distanceSqr), expected, 1e-9) << i;
+		}
+		const auto any = index.foot(q, limit);
+		hidden += any && (!found || found->segment != any->segment);
+	}
+	EXPECT_GT(hidden, 200);
+	EXPECT_LT(hidden, 1800);
+}
+
 TEST(PolylineIndex, QueriesWithoutAnAnswer)
 {
 	const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();

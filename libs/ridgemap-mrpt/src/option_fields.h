@@ -144,6 +144,7 @@ void visitFields(const TMatchingOptions*, O& o, V&& visit)
 {
 	visit(FieldInfo{"method", "", "align with lines inside, or pair with feet"}, o.method);
 	visit(FieldInfo{"matchTarget", "", "which polylines scans are matched with"}, o.matchTarget);
+	visit(FieldInfo{"matchSides", "", "lines that are turned away from the robot are no targets"}, o.matchSides);
 	visit(FieldInfo{"pointSpacing", "sigma", "greatest distance of points along polylines", 0.1, 100}, o.pointSpacing);
 	visit(FieldInfo{"fallback", "", "measurements without a polyline near are targets, too"}, o.fallback);
 	visit(FieldInfo{"fallbackDistance", "sigma", "nearer to a polyline than this they are not", 0, 100},

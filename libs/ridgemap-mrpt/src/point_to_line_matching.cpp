@@ -69,14 +69,15 @@ struct NormalEquations
 
 /** One Gauss-Newton step from a pose; nothing if no point has a target. */
 std::optional<PlanarPose> gaussNewtonStep(const MatchingTargets& targets, const std::vector<Point2>& points,
-										  const PlanarPose& pose, const MatchingGate& gate, double scale)
+										  const PlanarPose& pose, const MatchingGate& gate, double scale, bool sides)
 {
 	NormalEquations sums;
 	const double c = std::cos(pose.phi), s = std::sin(pose.phi);
 	for (const auto& local : points)
 	{
 		const Point2 d{c * local.x - s * local.y, s * local.x + c * local.y}, p{pose.x + d.x, pose.y + d.y};
-		const auto target = targets.nearest(p, gate.at(p));
+		const auto target =
+			sides ? targets.nearestVisible(p, {pose.x, pose.y}, gate.at(p)) : targets.nearest(p, gate.at(p));
 		if (!target) continue;
 		const double r = std::sqrt(target->distanceSqr), q = 1 + target->distanceSqr / (scale * scale), w = 1 / (q * q);
 		const double dx = p.x - target->point.x, dy = p.y - target->point.y;
@@ -97,11 +98,12 @@ std::optional<PlanarPose> gaussNewtonStep(const MatchingTargets& targets, const 
 	return sums.solve();
 }
 
-double scoreOf(const MatchingTargets& targets, const std::vector<Point2>& points, const PlanarPose& pose)
+double scoreOf(const MatchingTargets& targets, const std::vector<Point2>& points, const PlanarPose& pose, bool sides)
 {
 	double score = 0;
 	for (const auto& p : points)
-		if (const auto target = targets.nearest(pose * p, scoreReach))
+		if (const auto target = sides ? targets.nearestVisible(pose * p, {pose.x, pose.y}, scoreReach)
+									  : targets.nearest(pose * p, scoreReach))
 			score += 1 / (1 + target->distanceSqr / (scoreScale * scoreScale));
 	return score;
 }
@@ -140,7 +142,7 @@ Alignment alignToLines(const MatchingTargets& targets, const std::vector<Point2>
 	while (result.steps < options.solverIterations && !result.converged)
 	{
 		result.steps++;
-		const auto step = gaussNewtonStep(targets, points, result.pose, gate, scale);
+		const auto step = gaussNewtonStep(targets, points, result.pose, gate, scale, options.matchSides);
 		if (!step) break;
 		const double length = std::hypot(step->x, step->y);
 		if (!std::isfinite(length + step->phi)) break;
@@ -163,7 +165,7 @@ Alignment alignFromSeveralYaws(const MatchingTargets& targets, const std::vector
 		PlanarPose turned = start;
 		turned.phi += (turn % 2 ? 1 : -1) * ((turn + 1) / 2) * options.yawStep * degree;
 		Alignment next = alignToLines(targets, points, turned, gate, options);
-		next.score = scoreOf(targets, points, next.pose);
+		next.score = scoreOf(targets, points, next.pose, options.matchSides);
 		// A tie between turned starts goes to the smaller turn, which comes first.
 		if (turn == 0 || next.score > best.score * (1 + options.yawMargin)) best = next;
 	}

@@ -20,6 +20,7 @@ PolylineIndex::PolylineIndex(const std::vector<Polyline>& polylines, double spac
 {
 	if (!(spacing > 0)) throw std::invalid_argument("the spacing of a polyline index must be positive");
 	for (std::size_t i = 0; i < polylines.size(); i++) addPolyline(polylines[i], std::uint32_t(i), spacing);
+	for (const auto& p : polylines) sides_.push_back(std::int8_t(p.side));
 	firstPoint_ = segments_.size();
 	segments_.reserve(firstPoint_ + points.size());
 	samples_.reserve(samples_.size() + points.size());

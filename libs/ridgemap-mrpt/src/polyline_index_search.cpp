@@ -29,16 +29,30 @@ void PolylineIndex::consider(std::size_t segment, const Point2& query, Candidate
 	best = {d, segment};
 }
 
-PolylineIndex::Search PolylineIndex::searchBuckets(const Point2& query, double maxDistance, Candidate& best) const
+bool PolylineIndex::canBeSeen(std::size_t segment, const Point2& from) const
+{
+	constexpr double tolerance = 0.17;  // sine of the angle
+	const Segment& s = segments_[segment];
+	const int side = isPoint(segment) ? 0 : sides_[s.polyline];
+	if (side == 0) return true;
+	const double ux = s.b.x - s.a.x, uy = s.b.y - s.a.y, vx = from.x - s.a.x, vy = from.y - s.a.y;
+	const double cross = side * (ux * vy - uy * vx);
+	return cross >= 0 || cross * cross * s.perLengthSqr <= tolerance * tolerance * (vx * vx + vy * vy);
+}
+
+/** The nearest of the segments that are accepted, within so many rings of buckets. */
+template <class Accept>
+PolylineIndex::Search PolylineIndex::searchBuckets(const Point2& query, double maxDistance, std::int64_t rings,
+												   Candidate& best, Accept&& accept) const
 {
 	const double u = (query.x - corner_.x) * perMetre_, v = (query.y - corner_.y) * perMetre_;
-	const double far = double(mostRings);
+	const double far = double(rings);
 	if (!(u > -far && v > -far && u < double(columns_) + far && v < double(rows_) + far))
 		return far * edge_ - slack_ > maxDistance ? Search::complete : Search::tooFar;
 	const auto cx = std::int64_t(std::floor(u)), cy = std::int64_t(std::floor(v));
 	const double fx = u - double(cx), fy = v - double(cy);
 	const double inner = std::min({fx, 1 - fx, fy, 1 - fy});
-	for (std::int64_t ring = 0; ring <= mostRings; ring++)
+	for (std::int64_t ring = 0; ring <= rings; ring++)
 	{
 		const std::int64_t y0 = std::max<std::int64_t>(0, cy - ring), y1 = std::min(rows_ - 1, cy + ring);
 		for (std::int64_t y = y0; y <= y1; y++)
@@ -50,13 +64,18 @@ PolylineIndex::Search PolylineIndex::searchBuckets(const Point2& query, double m
 				if (x < 0 || x >= columns_) continue;
 				const auto bucket = std::size_t(y * columns_ + x);
 				for (std::uint32_t i = bucketBegin_[bucket]; i < bucketBegin_[bucket + 1]; i++)
-					consider(bucketSegments_[i], query, best);
+					if (accept(bucketSegments_[i])) consider(bucketSegments_[i], query, best);
 			}
 		}
 		const double border = (double(ring) + inner) * edge_ - slack_;
 		if (border > maxDistance || (border > 0 && best.distanceSqr < border * border)) return Search::complete;
 	}
 	return Search::tooFar;
+}
+
+PolylineIndex::Search PolylineIndex::searchBuckets(const Point2& query, double maxDistance, Candidate& best) const
+{
+	return searchBuckets(query, maxDistance, mostRings, best, [](std::size_t) { return true; });
 }
 
 void PolylineIndex::buildTree() const
@@ -203,6 +222,23 @@ bool PolylineIndex::hasWithin(const Point2& query, double distance) const
 std::optional<Foot> PolylineIndex::foot(const Point2& query, double maxDistance) const
 {
 	const Candidate best = search(query, maxDistance);
+	if (!(best.distanceSqr <= maxDistance * maxDistance) || best.segment >= segments_.size()) return std::nullopt;
+	return Foot{footOn(segments_[best.segment], query), best.distanceSqr, best.segment};
+}
+
+std::optional<Foot> PolylineIndex::visibleFoot(const Point2& query, const Point2& from, double maxDistance) const
+{
+	const auto nearest = foot(query, maxDistance);
+	if (!nearest || canBeSeen(nearest->segment, from)) return nearest;
+	Candidate best;
+	constexpr double mostVisibleRings = 100;
+	const double rings = maxDistance * perMetre_ + 2;
+	const auto accept = [&](std::size_t segment) { return canBeSeen(segment, from); };
+	if (rings < mostVisibleRings)
+		searchBuckets(query, maxDistance, std::int64_t(rings), best, accept);
+	else
+		for (std::size_t i = 0; i < segments_.size(); i++)
+			if (accept(i)) consider(i, query, best);
 	if (!(best.distanceSqr <= maxDistance * maxDistance) || best.segment >= segments_.size()) return std::nullopt;
 	return Foot{footOn(segments_[best.segment], query), best.distanceSqr, best.segment};
 }

@@ -103,9 +103,10 @@ struct TMatchingOptions : public mrpt::config::CLoadableOptions
 {
 	MatchingMethod method = MatchingMethod::lines;            ///< how
 	LikelihoodTarget matchTarget = LikelihoodTarget::ridges;  ///< which polylines; walls are drawn for people
-	double pointSpacing = 1;                                  ///< greatest distance of points along polylines [sigma]
-	bool fallback = true;                                     ///< measurements without a polyline near are targets, too
-	double fallbackDistance = 3;                              ///< nearer to a polyline than this they are not [sigma]
+	bool matchSides = true;          ///< lines that are turned away from the robot are no targets
+	double pointSpacing = 1;         ///< greatest distance of points along polylines [sigma]
+	bool fallback = true;            ///< measurements without a polyline near are targets, too
+	double fallbackDistance = 3;     ///< nearer to a polyline than this they are not [sigma]
 	double maxGate = 2;              ///< no pair is farther apart, whatever the program allows [m]
 	double robustShare = 0.33;       ///< scale of the robust weights, as a share of the distance the program allows
 	double robustLeast = 0.03;       ///< least scale of the robust weights [m]

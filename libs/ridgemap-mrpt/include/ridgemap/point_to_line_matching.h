@@ -36,6 +36,11 @@ class MatchingTargets
 	{
 		return index_.foot(query, maxDistance);
 	}
+	/** The nearest target that can be seen from a place; see PolylineIndex::visibleFoot(). */
+	std::optional<Foot> nearestVisible(const Point2& query, const Point2& from, double maxDistance) const
+	{
+		return index_.visibleFoot(query, from, maxDistance);
+	}
 	/** Whether a target is a lone measurement. */
 	bool isLone(const Foot& target) const { return index_.isPoint(target.segment); }
 	/** Across the polyline at a target, unit length; zero for a measurement. */
@@ -83,7 +88,8 @@ struct Alignment
 /** Moves points, given in their own frame, so that they come to lie on the lines of the targets: Gauss-Newton from one
  * start. Each step pairs every point with its nearest target within the gate, and minimises the distances along the
  * directions to the feet with weights 1/(1 + (r/c)^2)^2, c = max(robustLeast, robustShare * gate.distance); a lone
- * measurement counts in both directions. Starved or degenerate directions are left as they are. */
+ * measurement counts in both directions. Starved or degenerate directions are left as they are. With
+ * options.matchSides, polylines that are turned away from the pose are no targets. */
 Alignment alignToLines(const MatchingTargets& targets, const std::vector<Point2>& points, const PlanarPose& start,
 					   const MatchingGate& gate, const TMatchingOptions& options);
 

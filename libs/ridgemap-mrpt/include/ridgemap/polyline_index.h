@@ -53,7 +53,13 @@ class PolylineIndex
 	 * queries were near before. */
 	std::optional<Foot> foot(const Point2& query, double maxDistance) const;
 
-	/** The same with all that is known about it. */
+	/** The nearest point on a polyline that can be seen from a place: one whose side (Polyline::side) is not turned
+	 * away from it by more than about 10 degrees (sine 0.17), as seen from the start of the segment. Polylines without
+	 * a side, and points, are seen from everywhere. A little slower than foot() where the nearest polyline of all can
+	 * be seen; else O(segments within maxDistance). */
+	std::optional<Foot> visibleFoot(const Point2& query, const Point2& from, double maxDistance) const;
+
+	/** The same as foot() with all that is known about it. */
 	std::optional<NearestPoint> nearest(const Point2& query,
 										double maxDistance = std::numeric_limits<double>::infinity()) const;
 
@@ -127,12 +133,17 @@ class PolylineIndex
 	Candidate searchWithoutCells(const Point2& query, double maxDistance) const;
 	const CellCandidate* cellOf(const Point2& query) const;
 	Search searchCell(const CellCandidate* list, const Point2& query, double maxDistance, Candidate& best) const;
+	template <class Accept>
+	Search searchBuckets(const Point2& query, double maxDistance, std::int64_t rings, Candidate& best,
+						 Accept&& accept) const;
 	Search searchBuckets(const Point2& query, double maxDistance, Candidate& best) const;
+	bool canBeSeen(std::size_t segment, const Point2& from) const;
 	void searchTree(const Point2& query, double maxDistance, Candidate& best) const;
 	Candidate search(const Point2& query, double maxDistance) const;
 	void buildTree() const;
 
 	std::vector<Segment> segments_;
+	std::vector<std::int8_t> sides_;   ///< of the polylines
 	std::vector<SampleRange> ranges_;  ///< of the segments
 	std::vector<Point2> samples_;
 	std::vector<std::uint32_t> sampleSegment_;  ///< segment of each sample
