@@ -274,7 +274,8 @@ TEST(FieldNodes, EveryVariantGivesTheSameBits)
 		ASSERT_EQ(low[0], low[1]);
 		ASSERT_EQ(high[0], high[1]);
 		for (std::size_t i = 0; i < size; i++)
-			ASSERT_EQ(low[0][i] + (std::int64_t(high[0][i]) << 21), low[2][i] + (std::int64_t(high[2][i]) << 21));
+			ASSERT_EQ(low[0][i] + std::int64_t(high[0][i]) * (1 << 21),
+					  low[2][i] + std::int64_t(high[2][i]) * (1 << 21));
 		Nodes a(nodeCount, 7), b(nodeCount, 7);
 		ASSERT_EQ(areChangedImpl(to[0], wide), areChangedAvx2(to[1], wide));
 		ASSERT_EQ(applyChangesImpl(to[0], wide, a.data()), applyChangesAvx2(to[1], wide, b.data()));

@@ -34,17 +34,16 @@ std::vector<std::vector<std::uint8_t>> seeds()
 		textSeed(0, dxfOf("0 LWPOLYLINE 8 walls 90 3 70 1 10 0 20 0 42 0.5 10 5 20 0 10 5 20 5")),
 		textSeed(0, dxfOf("0 ARC 8 a 10 1 20 1 40 2 50 10 51 200 0 CIRCLE 8 a 10 0 20 0 40 3 0 POINT 8 p 10 1 20 1")),
 		textSeed(0, dxfOf("0 ELLIPSE 8 e 10 1 20 1 11 2 21 0 40 0.5 41 0 42 6.28 0 SPLINE 8 s 70 8 71 3 72 8 73 4 40 0 "
-						 "40 0 40 0 40 0 40 1 40 1 40 1 40 1 10 0 20 0 10 1 20 1 10 2 20 0 10 3 20 1")),
-		textSeed(0, dxf("0 SECTION 2 BLOCKS 0 BLOCK 8 0 2 door 70 0 10 0 20 0 0 LINE 8 0 10 0 20 0 11 1 21 0 0 ENDBLK 0 "
-					   "ENDSEC 0 SECTION 2 ENTITIES 0 INSERT 8 walls 2 door 10 5 20 5 41 2 42 2 50 30 0 ENDSEC 0 EOF")),
-		textSeed(1,
-				R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"Layer":"walls"},)"
-				R"("geometry":{"type":"LineString","coordinates":[[0,0],[1,2],[3e2,-4.5]]}}]})"),
-		textSeed(1,
-				R"({"type":"Feature","properties":null,"geometry":{"type":"GeometryCollection","geometries":[)"
-				R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,0]],[[1,1],[2,1],[2,2],[1,1]]]},)"
-				R"({"type":"MultiLineString","coordinates":[[[0,0],[1,1]],[[2,2],[3,3,3]]]},)"
-				R"({"type":"Point","coordinates":[1,2]}]}})")};
+						  "40 0 40 0 40 0 40 1 40 1 40 1 40 1 10 0 20 0 10 1 20 1 10 2 20 0 10 3 20 1")),
+		textSeed(0,
+				 dxf("0 SECTION 2 BLOCKS 0 BLOCK 8 0 2 door 70 0 10 0 20 0 0 LINE 8 0 10 0 20 0 11 1 21 0 0 ENDBLK 0 "
+					 "ENDSEC 0 SECTION 2 ENTITIES 0 INSERT 8 walls 2 door 10 5 20 5 41 2 42 2 50 30 0 ENDSEC 0 EOF")),
+		textSeed(1, R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{"Layer":"walls"},)"
+					R"("geometry":{"type":"LineString","coordinates":[[0,0],[1,2],[3e2,-4.5]]}}]})"),
+		textSeed(1, R"({"type":"Feature","properties":null,"geometry":{"type":"GeometryCollection","geometries":[)"
+					R"({"type":"Polygon","coordinates":[[[0,0],[9,0],[9,9],[0,0]],[[1,1],[2,1],[2,2],[1,1]]]},)"
+					R"({"type":"MultiLineString","coordinates":[[[0,0],[1,1]],[[2,2],[3,3,3]]]},)"
+					R"({"type":"Point","coordinates":[1,2]}]}})")};
 }
 }  // namespace ridgemap::fuzz
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Queries of every kind from many threads while a map grows, as the contract allows it: on copies that share their state
-// with the map that is changed, and on the map itself between changes. Every answer must be that of a map with the
-// same scans that no other thread has touched.
+// Queries of every kind from many threads while a map grows, as the contract allows it: on copies that share their
+// state with the map that is changed, and on the map itself between changes. Every answer must be that of a map with
+// the same scans that no other thread has touched.
 #include <gtest/gtest.h>
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/poses/CPose2D.h>
