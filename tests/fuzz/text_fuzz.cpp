@@ -3,7 +3,9 @@
 #include <mrpt/config/CConfigFileMemory.h>
 #include <ridgemap/map_options.h>
 #include <ridgemap/options.h>
+#include <ridgemap/ridge_map.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -17,12 +19,38 @@ namespace ridgemap::fuzz
 {
 namespace
 {
+/** Points with and without sensors go into a map, with its sides and rays, and out again. */
+void insertAndErase(const std::vector<Measurement>& points)
+{
+	RidgeMap map;
+	try
+	{
+		map.insert(points);
+		for (const Polyline& line : map.walls()) require(line.points.size() >= 2, "walls are lines");
+		map.erase(points);
+	}
+	catch (const std::exception& e)
+	{
+		require(false, e.what());
+	}
+	require(map.empty() && map.ridges().empty(), "what was inserted and erased leaves nothing");
+}
+
 void readPoints(const std::string& path)
 {
 	apps::PointsReader reader(path);
+	std::vector<Measurement> some;  // near the origin, to be quick
 	for (apps::Frame frame; reader.next(frame);)
 		for (const Measurement& m : frame.points)
+		{
 			require(std::abs(m.x) <= maxCoordinate && std::abs(m.y) <= maxCoordinate, "points are finite and in range");
+			double farthest = 0;
+			for (const double v : {m.x, m.y, m.sensorX, m.sensorY})
+				if (!std::isnan(v)) farthest = std::max(farthest, std::abs(v));
+			require(farthest <= maxCoordinate, "sensors are in range, or not known");
+			if (farthest < 20 && some.size() < 100) some.push_back(m);
+		}
+	insertAndErase(some);
 }
 
 void readPoses(const std::string& path)
@@ -53,8 +81,12 @@ std::vector<std::vector<std::uint8_t>> seeds()
 {
 	std::string ini = "[map_creationOpts]\n";
 	for (const std::string& key : MapOptions::keys()) ini += key + " = " + MapOptions().getOption(key) + "\n";
+	std::string wall = "x,y,sx,sy\n";
+	for (int i = 0; i < 40; i++)
+		wall += std::to_string(0.02 * i) + ",1." + std::to_string(i % 3) + (i % 2 == 0 ? ",0,0\n" : ",0.5,2\n");
 	return {textSeed(0, "x,y\n1,2\n3;4\n# comment\n5 6 7 8\n"),
 			textSeed(0, "1e5\t-1e-300\n+2 .5\n"),
+			textSeed(0, wall),
 			textSeed(1, "1 2 3 0.4\n2 2.5 3 0.5\n"),
 			textSeed(1, "1 2 3 4 0 0 0 1\n5 6 7 8 0 0.6 0 0.8\n"),
 			textSeed(2, ini),
