@@ -192,6 +192,7 @@ void split(const Polyline& line, const SampledLine& samples, const std::vector<c
 		const bool atFront = !line.closed && i == 0, atBack = !line.closed && last + 1 == n;
 		Polyline part = samples.stretch(atFront ? 0 : (double(i) - 0.5) * samples.step(),
 										atBack ? samples.length() : (double(last) + 0.5) * samples.step());
+		part.side = line.side;
 		part.startReason = atFront ? line.startReason : StopReason::passedThrough;
 		part.endReason = atBack ? line.endReason : StopReason::passedThrough;
 		if (part.points.size() >= 2)

@@ -60,7 +60,7 @@ void Options::validate() const
 	checkRange("minCurvature", minCurvature, 0, 1, " per sigma^2");
 	checkRange("pruneLength", pruneLength, 0, 100, " sigma");
 	checkRange("attachDistance", attachDistance, 0, 5, " sigma");
-	checkRange("mergeDistance", mergeDistance, 0, 2, " sigma");
+	checkRange("mergeDistance", mergeDistance, 0, 1, " sigma");
 	checkRange("freeSpaceTau", freeSpaceTau, 0, 1, "");
 	checkRange("freeSpaceWindow", freeSpaceWindow, 0, 10, " sigma");
 	checkRange("freeSpaceLeast", freeSpaceLeast, 0, 1e6, " passes");

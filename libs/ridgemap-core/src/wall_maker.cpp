@@ -188,6 +188,7 @@ LinePtr WallMaker::seated(const LinePtr& line, const std::array<std::vector<int>
 	{
 		const Point2 at = endOf(*line, back), before = line->points[back ? n - 2 : 1];
 		const Vec2 tip{at.x, at.y}, along = unit(tip - Vec2{before.x, before.y});
+		const bool fitted = line->info[back ? n - 2 : 0].shape != WallShape::curve;
 		double best = seatReach * options_.sigma;
 		for (const int i : near[back])
 		{
@@ -200,10 +201,14 @@ LinePtr WallMaker::seated(const LinePtr& line, const std::array<std::vector<int>
 				if (own || foot.distance >= best) continue;
 				best = foot.distance;
 				Vec2 seat = a + foot.t * (b - a);
-				// Along its own direction, where the segment is met that way.
+				// Along its own direction, where the segment is met that way. A fitted line is not turned aside: a
+				// vertex will close the gap.
 				const double sine = cross(along, b - a), t = sine != 0 ? cross(a - tip, b - a) / sine : 0;
 				const double u = sine != 0 ? cross(a - tip, along) / sine : -1;
-				if (u >= 0 && u <= 1 && std::abs(t) < seatReach * options_.sigma) seat = tip + t * along;
+				if (u >= 0 && u <= 1 && std::abs(t) < seatReach * options_.sigma)
+					seat = tip + t * along;
+				else if (fitted)
+					seat = tip;
 				(back ? p.points.back() : p.points.front()) = {seat.x, seat.y};
 			}
 		}

@@ -73,8 +73,7 @@ void visitFields(const TCreationOptions*, O& o, V&& visit)
 	visit(FieldInfo{"attach", "", "walls: join free ends to the walls beside them"}, o.attach);
 	visit(FieldInfo{"attachDistance", "sigma", "walls: farthest that a free end is joined", 0, 5}, o.attachDistance);
 	visit(FieldInfo{"mergeDistance", "sigma",
-					"walls: lines from different sides that run along each other nearer than this become one; 0: none",
-					0, 2},
+					"walls: the two faces of a wall become one line where they are nearer than this; 0: never", 0, 1},
 		  o.mergeDistance);
 	visit(FieldInfo{"trim", "", "walls: move free ends back to where the surface ends"}, o.trim);
 	visit(FieldInfo{"sharpen", "", "walls: put a vertex where the straight arms of a rounded corner meet"}, o.sharpen);

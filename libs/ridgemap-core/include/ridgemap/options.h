@@ -47,9 +47,9 @@ struct Options
 	bool attach = true;           ///< walls: join free ends to the walls beside them
 	double attachDistance = 2.2;  ///< walls: farthest that a free end is joined [sigma], 0 .. 5
 
-	/** walls: lines seen from different sides that run along each other nearer than this become one [sigma], 0 .. 2;
-	 * 0: none */
-	double mergeDistance = 0.5;
+	/** walls: the two faces of a wall become one line where they are on average nearer than this [sigma], 0 .. 1;
+	 * 0: never */
+	double mergeDistance = 0.7;
 
 	bool sharpen = true;  ///< walls: put a vertex where the straight arms of a rounded corner meet
 
