@@ -59,6 +59,27 @@ TEST(FreeSpace, CountsEveryRayOnce)
 	EXPECT_EQ(space.cellCount(), expected.size());
 }
 
+TEST(FreeSpace, CentresAreThoseOfTheCellsThatManyRaysPassed)
+{
+	Random random(5);
+	RidgeMap map;
+	map.insert(randomMeasurements(random, 300));
+	const auto cells = map.freeCells();
+	const Frame frame(map.options().sigma);
+	for (const double least : {0.0, 1.0, 3.0, 1e6})
+	{
+		std::vector<Point2> expected;
+		for (const FreeCellRecord& c : cells)
+			if (double(c.n) > least) expected.push_back(frame.toMap({2 * double(c.cx) + 1, 2 * double(c.cy) + 1}));
+		EXPECT_TRUE(map.freeCellCentres(least) == expected) << least;
+		// Each lies in the cell: the counters say so.
+		for (const Point2& p : map.freeCellCentres(least)) ASSERT_GT(map.passes(p), 0);
+	}
+	EXPECT_EQ(map.freeCellCentres(0).size(), cells.size());
+	EXPECT_TRUE(map.passedAnywhere());
+	EXPECT_FALSE(RidgeMap().passedAnywhere());
+}
+
 TEST(FreeSpace, OrderBatchesErasuresAndMergesLeaveNoTrace)
 {
 	Random random(2);

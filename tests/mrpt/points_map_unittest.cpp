@@ -2,9 +2,16 @@
 #include <gtest/gtest.h>
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/maps/CMultiMetricMap.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/poses/CPosePDF.h>
 #include <mrpt/slam/CICP.h>
 #include <ridgemap/CRidgePointsMap.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "scenes.h"
 
@@ -153,4 +160,83 @@ TEST(PointsMap, IsMadeFromAnIniFile)
 	EXPECT_EQ(map->ridgeMap().matchingOptions.yawStarts, 1u);
 	ini.write("map_ridgePoints_00_matchingOpts", "method", "magic");
 	EXPECT_ANY_THROW(initializers.loadFromConfigFile(ini, "map"));
+}
+
+TEST(PointsMap, AnswersAsItsRidgeMap)
+{
+	const CRidgePointsMap map = makeRoomMap();
+	const auto points = pointsOfScan(scanOfRoom(0.4, 0.2, -0.5));
+	mrpt::tfest::TMatchingPairList pairs[2], spatial[2];
+	mrpt::maps::TMatchingExtraResults extra[4];
+	mrpt::maps::TMatchingParams params;
+	params.maxDistForCorrespondence = 0.3f;
+	map.determineMatching2D(&points, CPose2D(0.41, 0.2, -0.5), pairs[0], params, extra[0]);
+	CRidgeMap2D(map.ridgeMap()).determineMatching2D(&points, CPose2D(0.41, 0.2, -0.5), pairs[1], params, extra[1]);
+	EXPECT_GT(pairs[0].size(), 200u);
+	EXPECT_TRUE(pairs[0] == pairs[1]);
+	const CPose3D inSpace(0.41, 0.2, 0.1, -0.5, 0, 0);
+	map.determineMatching3D(&points, inSpace, spatial[0], params, extra[2]);
+	CRidgeMap2D(map.ridgeMap()).determineMatching3D(&points, inSpace, spatial[1], params, extra[3]);
+	EXPECT_GT(spatial[0].size(), 200u);
+	EXPECT_TRUE(spatial[0] == spatial[1]);
+	mrpt::maps::TMatchingRatioParams ratio;
+	ratio.maxDistForCorr = 0.1f;
+	EXPECT_EQ(map.compute3DMatchingRatio(&points, inSpace, ratio),
+			  map.ridgeMap().compute3DMatchingRatio(&points, inSpace, ratio));
+	EXPECT_NEAR(map.squareDistanceToClosestCorrespondence(2, 0), 1, 0.05);
+	EXPECT_EQ(map.asString(), map.ridgeMap().asString() + ", as " + std::to_string(map.size()) + " points");
+}
+
+TEST(PointsMap, LoadsScansAsItInsertsThem)
+{
+	const auto scan = scanOfRoom(0.4, 0.2, -0.5, 3000);
+	const CPose3D pose(0.4, 0.2, 0, -0.5, 0, 0);
+	CRidgePointsMap inserted, loaded;
+	inserted.insertObservation(scan, pose);
+	loaded.loadFromRangeScan(scan, pose);
+	EXPECT_GT(loaded.size(), 100u);
+	EXPECT_TRUE(samePoints(inserted, loaded));
+	mrpt::obs::CObservation3DRangeScan cloud;
+	cloud.hasPoints3D = true;
+	for (int i = 0; i < 500; i++)
+	{
+		cloud.points3D_x.push_back(1);
+		cloud.points3D_y.push_back(0.002f * float(i));
+		cloud.points3D_z.push_back(0);
+	}
+	CRidgePointsMap spatial;
+	spatial.loadFromRangeScan(cloud, pose);
+	EXPECT_EQ(spatial.ridgeMap().core().statistics().measurements, 500u);
+}
+
+TEST(PointsMap, IsDrawnAndSavedWithItsPoints)
+{
+	namespace fs = std::filesystem;
+	const CRidgePointsMap map = makeRoomMap();
+	mrpt::opengl::CSetOfObjects drawn, expected;
+	map.getVisualizationInto(drawn);
+	map.ridgeMap().getVisualizationInto(expected);
+	EXPECT_GT(expected.size(), 0u);
+	EXPECT_EQ(drawn.size(), expected.size());
+	const fs::path folder = fs::temp_directory_path() / ("ridgemap_points_" + std::to_string(::getpid()));
+	fs::create_directories(folder);
+	map.saveMetricMapRepresentationToFile((folder / "a").string());
+	std::ifstream text(folder / "a.txt");
+	std::size_t lines = 0;
+	for (std::string line; std::getline(text, line);) lines += line.empty() ? 0 : 1;
+	EXPECT_EQ(lines, map.size());
+	EXPECT_TRUE(fs::exists(folder / "a_walls.csv"));
+	EXPECT_THROW(map.saveMetricMapRepresentationToFile((folder / "no such folder" / "a").string()), std::exception);
+	fs::remove_all(folder);
+}
+
+TEST(PointsMap, DefinitionShowsItsOptions)
+{
+	CRidgePointsMap::TMapDefinition definition;
+	definition.options.creation.sigma = 0.125;
+	std::ostringstream out;
+	definition.dumpToTextStream(out);
+	EXPECT_NE(out.str().find("0.125"), std::string::npos) << out.str();
+	for (const char* option : {"sigma", "maxRange", "matchTarget"})
+		EXPECT_NE(out.str().find(option), std::string::npos) << option;
 }

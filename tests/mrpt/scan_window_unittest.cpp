@@ -145,6 +145,18 @@ TEST(ScanWindow, AScanThatCannotBeTakenOutLeavesTheMapAsItWas)
 	expectScansAlone(map, scans, 5, 6);
 }
 
+TEST(ScanWindow, AScanWithARayThatIsNotOnTheMapIsNotInsertedAtAll)
+{
+	for (const unsigned keepScans : {0u, 3u})
+	{
+		CRidgeMap2D map = emptyMap(keepScans, 0);
+		map.insertScan({1, {{1, 2, 0, 0}}, {}});
+		const auto before = bytesOf(map);
+		EXPECT_THROW(map.insertScan({2, {{3, 4, 0, 0}}, {{0, 0, 1e7, 0}}}), std::exception);
+		EXPECT_TRUE(bytesOf(map) == before);
+	}
+}
+
 TEST(ScanWindow, AScanOlderThanTheWindowGoesAtOnce)
 {
 	const auto scans = drive(12);
