@@ -68,8 +68,20 @@ struct Unit
 	{
 		for (int i = 0; i < 64; i++) nodes[i] = float(i % 7);
 	}
-	KernelSums evaluate(float t) { return interpolateNodes(nodes, 8, t, 1 - t); }
-	KernelSums evaluatePortably(float t) { return interpolateNodesImpl(nodes, 8, t, 1 - t); }
+	KernelSums evaluate(float t)
+	{
+		KernelSums sums;
+		const NodeSquare square{nodes, &sums};
+		interpolateNodes(&square, 1, 8, t, 1 - t);
+		return sums;
+	}
+	KernelSums evaluatePortably(float t)
+	{
+		KernelSums sums;
+		const NodeSquare square{nodes, &sums};
+		interpolateNodesImpl(&square, 1, 8, t, 1 - t);
+		return sums;
+	}
 	/** A cell that is known gets one measurement more. */
 	void spread(std::uint32_t i)
 	{

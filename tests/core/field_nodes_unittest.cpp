@@ -28,7 +28,7 @@ void addChangesAvx2(const NodeChanges& to, bool wide, const KernelReach& reach, 
 					const KernelProfile* before);
 bool areChangedAvx2(const NodeChanges& changes, bool wide);
 bool applyChangesAvx2(const NodeChanges& changes, bool wide, std::int64_t* nodes);
-KernelSums interpolateNodesAvx2(const float* corner, int stride, float tx, float ty);
+void interpolateNodesAvx2(const NodeSquare* squares, std::size_t count, int stride, float tx, float ty);
 #endif
 }  // namespace ridgemap
 
@@ -184,7 +184,7 @@ TEST(FieldNodes, InterpolationAgreesWithTheSumOfAllCells)
 			const TileKey key{std::int32_t(std::floor(p.x / edge)), std::int32_t(std::floor(p.y / edge))};
 			const Vec2 corner{key.x * edge, key.y * edge};
 			const auto truth = jet(sumOfCells(lattice.tiles(), o, p));
-			const auto got = jet(TileField(lattice.tiles(), key, o).sample(p - corner, {1, 0}));
+			const auto got = jet(TileField(lattice.tiles(), key, o).sample(p - corner));
 			// The scale of the derivatives grows with the distance from where the measurements are.
 			double scale = 0;
 			for (double dx = -1; dx <= 1; dx++)
@@ -220,7 +220,7 @@ TEST(FieldNodes, TheSamePointHasTheSameBitsInEveryTile)
 		for (int i = 0; i < 20; i++)
 		{
 			const Vec2 p{edge + std::round(1024 * random.uniform(-2.9, 2.9)) / 1024, random.uniform(0, edge)};
-			const KernelSums a = here.sample(p, {1, 0}), b = right.sample({p.x - edge, p.y}, {1, 0});
+			const KernelSums a = here.sample(p), b = right.sample({p.x - edge, p.y});
 			ASSERT_EQ(std::memcmp(&a, &b, sizeof a), 0);
 			compared += a.value > 0.1;
 		}
@@ -293,9 +293,13 @@ TEST(FieldNodes, EveryVariantGivesTheSameBits)
 					  float(double(a[std::size_t(i)]) / nodesPerKernel));
 		for (float& v : patch) v = float(random.uniform(0, 1000));
 		const float tx = float(random.uniform()), ty = float(random.uniform());
-		const KernelSums p = interpolateNodesImpl(patch.data(), stride, tx, ty),
-						 q = interpolateNodesAvx2(patch.data(), stride, tx, ty);
-		ASSERT_EQ(std::memcmp(&p, &q, sizeof p), 0);
+		KernelSums sums[3];
+		const NodeSquare portable[] = {{patch.data(), &sums[0]}},
+						 both[] = {{patch.data() + 3, &sums[1]}, {patch.data(), &sums[2]}};
+		interpolateNodesImpl(portable, 1, stride, tx, ty);
+		interpolateNodesAvx2(both, 2, stride, tx, ty);
+		ASSERT_EQ(std::memcmp(&sums[0], &sums[2], sizeof sums[0]), 0);
+		ASSERT_NE(std::memcmp(&sums[1], &sums[2], sizeof sums[0]), 0);
 	}
 #else
 	GTEST_SKIP() << "there is only the portable variant here";
@@ -357,27 +361,29 @@ TEST(FieldNodes, AreMadeOnSeveralThreadsToTheSameBits)
 		}
 }
 
-TEST(PlaceSet, HoldsWhatLiesNear)
+TEST(PlaceSets, HoldsWhatLiesNear)
 {
 	Random random(5);
 	for (int trial = 0; trial < 100; trial++)
 	{
-		PlaceSet set(16, 3);
+		PlaceSets set(16, 3);
+		const std::uint32_t bin = trial % directionBins, other = (bin + 1) % directionBins;
 		const Vec2 a{random.uniform(-2, 18), random.uniform(-2, 18)};
 		const Vec2 b = a + Vec2{random.uniform(-2, 2), random.uniform(-2, 2)};
-		set.addCapsule(a, b, 1);
+		set.addCapsule(a, b, 1, std::uint32_t(1) << bin);
 		for (int i = 0; i < 500; i++)
 		{
 			const Vec2 p{random.uniform(-3, 19), random.uniform(-3, 19)};
 			const double d = footOnSegment(a, b, p).distance;
+			EXPECT_FALSE(set.contains(p, other));
 			// In between it may be rounded either way.
 			if (d < 0.7 || d > 1.2)
 			{
-				EXPECT_EQ(set.contains(p), d < 0.7);
+				EXPECT_EQ(set.contains(p, bin), d < 0.7);
 			}
 		}
-		EXPECT_FALSE(set.contains({-3.1, 5}));
-		EXPECT_FALSE(set.contains({5, 19.1}));
+		EXPECT_FALSE(set.contains({-3.1, 5}, bin));
+		EXPECT_FALSE(set.contains({5, 19.1}, bin));
 	}
 }
 

@@ -215,7 +215,7 @@ TEST(RidgePoint, GradientOfTheRidgeFunctionIsExact)
 
 TEST(RidgePoint, OfEqualEigenvaluesIsNoRidgeAndFinite)
 {
-	KernelSums s;
+	KernelSums s{};
 	s.value = 1;
 	s.hxx = s.hyy = -1;
 	const RidgePoint r = makeRidgePoint({}, s);

@@ -55,12 +55,12 @@ struct Sided
 
 	Sided(const std::vector<Measurement>& measurements, double sigma, Vec2 p, Vec2 n)
 	{
-		const Vec2 normal = Frame::rotateToLattice(n);
+		const SideWeights weights(Frame::rotateToLattice(n));
 		for (const Measurement& m : measurements)
 		{
 			const std::uint32_t bin = directionBin(Frame::rotateToLattice({m.sensorX - m.x, m.sensorY - m.y}));
 			const Vec2 d = (1 / sigma) * (p - Vec2{m.x, m.y});
-			const double e = sideWeight(bin, normal) * std::exp(-0.5 * dot(d, d));
+			const double e = weights.of[bin] * std::exp(-0.5 * dot(d, d));
 			value += e;
 			gradient = gradient - e * d;
 			xx += e * (d.x * d.x - 1);
@@ -169,8 +169,8 @@ TEST(ViewingDirection, WeightsOfOppositeSidesAddUpToOne)
 	{
 		const Vec2 n{std::cos(k * pi / 180), std::sin(k * pi / 180)};
 		for (std::uint32_t bin = 1; bin < directionBins; bin++)
-			EXPECT_NEAR(sideWeight(bin, n) + sideWeight(bin, -n), 1, 1e-12);
-		EXPECT_EQ(sideWeight(0, n), 1);
+			EXPECT_NEAR(SideWeights(n).of[bin] + SideWeights(-n).of[bin], 1, 1e-12);
+		EXPECT_EQ(SideWeights(n).of[0], 1);
 	}
 }
 

@@ -2,6 +2,7 @@
 #include "border.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 namespace ridgemap
@@ -12,23 +13,48 @@ constexpr double scanStep = 0.5;   ///< distance of samples along a border [sigm
 constexpr double goodAngle = 0.3;  ///< sine of the angle between ridge and border that is good enough
 constexpr double nearMiss =
 	0.1;  ///< a ridge that comes this close to a border without crossing it is too close [sigma]
-constexpr double rootTolerance = 1e-6;  ///< [sigma]
-constexpr double sameCrossing = 0.01;   ///< found from two sides, one crossing may come out this far apart [sigma]
+constexpr double rootTolerance = 1e-6;   ///< [sigma]
+constexpr double sameCrossing = 0.01;    ///< found from two sides, one crossing may come out this far apart [sigma]
+constexpr double leastOccupancy = 0.25;  ///< of the next node, in L_tol, below which no ridge can be near
 constexpr int maxSplits = 5;
 
 /** Normals from which ridges are looked for in a sided field: every ridge has one of them within 45 degrees. */
-constexpr Vec2 sides[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+constexpr std::array<Vec2, 4> sides = {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
+constexpr double cosineOfSide = 0.9;  ///< a normal found from one side this close to another belongs to that, too
 
-/** Calls fn(normal) for all normals from which ridges must be looked for. */
-template <class Fn>
-void forEachSide(const TileField& field, Fn fn)
+/** What the density says at one point for surfaces of all normals. */
+struct AllSides
 {
-	for (const Vec2& side : sides)
+	std::array<RidgePoint, sides.size()> r;           ///< in a plain field the first one only
+	std::array<std::size_t, sides.size()> firstWith;  ///< the first side from which the same came out
+
+	/** Fills it for a point; the occupancy is 0 where no ridge can be. */
+	void look(const TileField& field, const Options& options, Vec2 p)
 	{
-		fn(side);
-		if (!field.isSided()) return;
+		for (std::size_t k = 0; k < sides.size(); k++)
+		{
+			firstWith[k] = k;
+			r[k].occupancy = 0;
+		}
+		if (field.nearestNode(p) < leastOccupancy * options.lTol) return;
+		if (!field.isSided())
+		{
+			r[0] = evaluateRidge(field, p, {});
+			return;
+		}
+		FieldPoint point(field, p);
+		for (std::size_t k = 0; k < sides.size(); k++)
+		{
+			const auto isKnown = [&](const RidgePoint& o)
+			{ return o.occupancy > 0 && dot(o.v1, sides[k]) > cosineOfSide; };
+			const std::size_t known = std::size_t(std::find_if(r.begin(), r.begin() + k, isKnown) - r.begin());
+			r[k] = known < k ? r[known] : evaluateRidge(point, sides[k]);
+			firstWith[k] = known < k ? firstWith[known] : k;
+		}
 	}
-}
+
+	std::size_t count(const TileField& field) const { return field.isSided() ? sides.size() : 1; }
+};
 
 /** A sample on the border, with f and its derivative along the border. */
 struct BorderSample
@@ -39,18 +65,12 @@ struct BorderSample
 	double slope = 0;
 };
 
-/** Scan of one straight segment of a border for ridges seen from about one side. */
+/** Scan of one straight segment of a border for ridges. */
 class SegmentScan
 {
  public:
-	SegmentScan(const TileField& field, const Options& options, Vec2 from, Vec2 to, Vec2 side)
-		: field_(field),
-		  options_(options),
-		  from_(from),
-		  to_(to),
-		  side_(side),
-		  length_(norm(to - from)),
-		  direction_(unit(to - from))
+	SegmentScan(const TileField& field, const Options& options, Vec2 from, Vec2 to)
+		: field_(field), options_(options), from_(from), to_(to), length_(norm(to - from)), direction_(unit(to - from))
 	{
 	}
 
@@ -58,12 +78,22 @@ class SegmentScan
 	void run(double s0, std::vector<Crossing>& crossings)
 	{
 		const int n = std::max(1, int(std::ceil(length_ / scanStep)));
-		BorderSample previous = sampleAt(0, nullptr);
+		AllSides samples[2];
+		samples[0].look(field_, options_, at(0));
 		for (int i = 1; i <= n; i++)
 		{
-			const BorderSample next = sampleAt(length_ * i / n, nullptr);
-			if (isWorth(previous) && isWorth(next)) interval(previous, next, 0, s0, crossings);
-			previous = next;
+			const double s = length_ * i / n;
+			const AllSides& previous = samples[(i + 1) % 2];
+			AllSides& next = samples[i % 2];
+			next.look(field_, options_, at(s));
+			for (std::size_t k = 0; k < next.count(field_); k++)
+			{
+				const std::size_t first = next.firstWith[k];
+				if (first != k && previous.firstWith[k] == first) continue;  // the same interval
+				if (isWorth(previous.r[k]) && isWorth(next.r[k]))
+					interval(sample(length_ * (i - 1) / n, previous.r[k], nullptr), sample(s, next.r[k], nullptr), 0,
+							 s0, crossings);
+			}
 		}
 	}
 
@@ -71,16 +101,21 @@ class SegmentScan
 	double quality() const { return quality_; }
 
  private:
-	bool isWorth(const BorderSample& b) const { return b.r.occupancy >= 0.5 * options_.lTol; }
+	bool isWorth(const RidgePoint& r) const { return r.occupancy >= 0.5 * options_.lTol; }
+	/** Exact at the vertices, which borders share. */
+	Vec2 at(double s) const { return s < length_ ? from_ + s * direction_ : to_; }
 
-	BorderSample sampleAt(double s, const BorderSample* like) const
+	BorderSample sample(double s, const RidgePoint& r, const BorderSample* like) const
 	{
 		BorderSample b;
 		b.s = s;
-		const Vec2 p = s < length_ ? from_ + s * direction_ : to_;  // exact at the vertices, which borders share
-		b.r = evaluateRidge(field_, p, like ? like->r.v1 : side_);
+		b.r = r;
 		orient(b, like);
 		return b;
+	}
+	BorderSample sampleAt(double s, const BorderSample& like) const
+	{
+		return sample(s, evaluateRidge(field_, at(s), like.r.v1), &like);
 	}
 
 	/** Gives v1 of `b` the sense of that of `like`, where it has no sense of its own. */
@@ -102,7 +137,7 @@ class SegmentScan
 		if (dot(a.r.v1, b.r.v1) < 0.8)
 		{
 			if (depth >= maxSplits) return;
-			const BorderSample middle = sampleAt(0.5 * (a.s + b.s), &a);
+			const BorderSample middle = sampleAt(0.5 * (a.s + b.s), a);
 			interval(a, middle, depth + 1, s0, crossings);
 			interval(middle, b, depth + 1, s0, crossings);
 			return;
@@ -124,7 +159,7 @@ class SegmentScan
 								h * (a.slope * t * (1 - t) * (1 - t) - b.slope * t * t * (1 - t));
 		const double scale = norm(a.r.df) + norm(b.r.df);
 		if ((estimate < 0) == (a.f < 0) && std::abs(estimate) > nearMiss * scale) return;
-		const BorderSample middle = sampleAt(a.s + std::min(0.95, std::max(0.05, t)) * h, &a);
+		const BorderSample middle = sampleAt(a.s + std::min(0.95, std::max(0.05, t)) * h, a);
 		if ((middle.f < 0) != (a.f < 0))
 		{
 			interval(a, middle, maxSplits, s0, crossings);
@@ -149,7 +184,7 @@ class SegmentScan
 			const bool newton = s > a.s && s < b.s;
 			if (newton && std::abs(s - root.s) < rootTolerance) break;
 			if (!newton || i % 8 == 7) s = 0.5 * (a.s + b.s);
-			root = sampleAt(s, &a);
+			root = sampleAt(s, a);
 			((root.f < 0) == (a.f < 0) ? a : b) = root;
 		}
 		const RidgePoint& r = root.r;
@@ -162,7 +197,7 @@ class SegmentScan
 
 	const TileField& field_;
 	const Options& options_;
-	Vec2 from_, to_, side_;
+	Vec2 from_, to_;
 	double length_;
 	Vec2 direction_;
 	double quality_ = 1;
@@ -191,13 +226,9 @@ double scanPath(const TileField& field, const Options& options, const std::vecto
 	for (std::size_t i = 1; i < path.size(); i++)
 	{
 		std::vector<Crossing> found;
-		forEachSide(field,
-					[&](Vec2 side)
-					{
-						SegmentScan scan(field, options, path[i - 1], path[i], side);
-						scan.run(s0, found);
-						quality = std::min(quality, scan.quality());
-					});
+		SegmentScan scan(field, options, path[i - 1], path[i]);
+		scan.run(s0, found);
+		quality = std::min(quality, scan.quality());
 		if (field.isSided()) keepDifferent(found);
 		crossings.insert(crossings.end(), found.begin(), found.end());
 		s0 += norm(path[i] - path[i - 1]);
@@ -233,14 +264,13 @@ Vec2 placeCorner(const TileField& field, const Options& options)
 	for (const Vec2& q : candidates)
 	{
 		double clearance = std::numeric_limits<double>::infinity();
-		forEachSide(field,
-					[&](Vec2 side)
-					{
-						const RidgePoint r = evaluateRidge(field, q, side);
-						const double slope = norm(r.df);
-						if (r.occupancy >= 0.5 * options.lTol && slope > 0)
-							clearance = std::min(clearance, std::abs(r.f) / slope);
-					});
+		AllSides sample;
+		sample.look(field, options, q);
+		for (const RidgePoint& r : sample.r)
+		{
+			const double slope = norm(r.df);
+			if (r.occupancy >= 0.5 * options.lTol && slope > 0) clearance = std::min(clearance, std::abs(r.f) / slope);
+		}
 		if (clearance >= enough) return q;
 		if (clearance > bestClearance)
 		{

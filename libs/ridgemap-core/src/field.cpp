@@ -2,6 +2,7 @@
 #include "field.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace ridgemap
 {
@@ -81,7 +82,6 @@ double TileField::weightNear(Vec2 p, double radius) const
 
 TileField::Taps TileField::tapsAt(Vec2 p) const
 {
-	work_.evaluations++;
 	const double u = p.x * nodesPerSigma, v = p.y * nodesPerSigma;
 	const int column = roundDown(u), row = roundDown(v);
 	// The first tap, counted from the corner of the halo.
@@ -99,12 +99,76 @@ TileField::Taps TileField::tapsAt(Vec2 p) const
 	return t;
 }
 
-KernelSums TileField::sampleNodes(Vec2 p) const
+KernelSums TileField::sample(Vec2 p) const
 {
+	if (!compacts_) return sampleKernels(p);
+	if (sided_) return FieldPoint(*this, p).sum(SideWeights());
 	const Taps t = tapsAt(p);
-	if (t.bins == 0) return {};
-	provideNodes(0, t.x, t.y);
-	return interpolateNodes(scratch_->planes[0].nodes.data() + t.corner, stride_, t.tx, t.ty);
+	KernelSums sum{};
+	provideBins(t, t.bins, &sum);
+	return sum;
+}
+
+double TileField::nearestNode(Vec2 p) const
+{
+	if (!compacts_) return std::numeric_limits<double>::infinity();
+	const int column = roundDown(p.x * nodesPerSigma + 0.5) + halo_ * nodesPerBlock,
+			  row = roundDown(p.y * nodesPerSigma + 0.5) + halo_ * nodesPerBlock;
+	const int bx = column / nodesPerBlock - halo_, by = row / nodesPerBlock - halo_;
+	look({bx, bx}, {by, by});
+	const Block* b = block(bx, by);
+	if (!b) return 0;
+	std::int64_t sum = 0;
+	for (const NodeLayer& layer : b->layers)
+		if (!layer.nodes.empty())
+			sum += layer.nodes[std::size_t(row % nodesPerBlock * nodesPerBlock + column % nodesPerBlock)];
+	return double(sum) / nodesPerKernel;
+}
+
+void TileField::provideBins(const Taps& t, std::uint32_t mask, KernelSums* sums) const
+{
+	NodeSquare squares[directionBins];
+	std::size_t count = 0;
+	for (std::uint32_t bin = 0; mask >> bin != 0; bin++)
+	{
+		if (!(mask >> bin & 1)) continue;
+		provideNodes(bin, t.x, t.y);
+		squares[count++] = {scratch_->planes[bin].nodes.data() + t.corner, sums + bin};
+	}
+	if (count == 0) return;
+	interpolateNodes(squares, count, stride_, t.tx, t.ty);
+	work_.evaluations++;
+}
+
+std::uint32_t FieldPoint::provide(const double (&weights)[directionBins])
+{
+	std::uint32_t bins = 0;
+	for (std::uint32_t bin = 0; bin < directionBins; bin++) bins |= std::uint32_t(weights[bin] != 0) << bin;
+	bins &= taps_.bins;
+	const std::uint32_t missing = bins & ~known_;
+	if (missing != 0) field_.provideBins(taps_, missing, sums_);
+	known_ |= missing;
+	return bins;
+}
+
+KernelSums FieldPoint::sum(const SideWeights& weights)
+{
+	const std::uint32_t bins = provide(weights.of);
+	KernelSums sum{};
+	for (std::uint32_t bin = 0; bins >> bin != 0; bin++)
+		if (bins >> bin & 1) sum.add(sums_[bin], weights.of[bin]);
+	return sum;
+}
+
+double FieldPoint::turn(Vec2 normal, Vec2 a, Vec2 b)
+{
+	const SideSlopes slopes(normal);
+	const std::uint32_t bins = provide(slopes.of);
+	double sum = 0;
+	for (std::uint32_t bin = 0; bins >> bin != 0; bin++)
+		if (const KernelSums& s = sums_[bin]; bins >> bin & 1)
+			sum += slopes.of[bin] * (s.hxx * a.x * b.x + s.hxy * (a.x * b.y + a.y * b.x) + s.hyy * a.y * b.y);
+	return sum;
 }
 
 void TileField::provideNodes(std::uint32_t bin, Range x, Range y) const

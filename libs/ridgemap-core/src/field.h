@@ -76,23 +76,14 @@ class TileField
 	 * for. */
 	bool isSided() const { return sided_; }
 
-	/** L and its derivatives at a point of the domain, for a surface whose unit normal towards the viewer is `normal`;
-	 * that matters only if the field is sided. */
-	KernelSums sample(Vec2 p, Vec2 normal) const
-	{
-		return sided_      ? sumBins(p, [&](std::uint32_t bin) { return sideWeight(bin, normal); })
-			   : compacts_ ? sampleNodes(p)
-						   : sampleKernels(p);
-	}
+	/** L and its derivatives at a point of the domain, whatever the side from which measurements were seen. */
+	KernelSums sample(Vec2 p) const;
 
-	/** Change of sample() per radian that the normal turns to its left. */
-	KernelSums sampleTurn(Vec2 p, Vec2 normal) const
-	{
-		return sumBins(p, [&](std::uint32_t bin) { return sideWeightSlope(bin, normal); });
-	}
+	/** L at the node next to a point of the domain, whatever the side: tells cheaply where nothing is near. */
+	double nearestNode(Vec2 p) const;
 
 	/** Measurements of a direction bin count for a surface with this normal. */
-	bool sees(std::uint32_t bin, Vec2 normal) const { return !sided_ || sideWeight(bin, normal) > 0; }
+	bool sees(std::uint32_t bin, Vec2 normal) const { return !sided_ || isSeenFrom(bin, normal); }
 
 	/** Number of measurements in the blocks that come within `radius` of p. */
 	double weightNear(Vec2 p, double radius) const;
@@ -117,6 +108,7 @@ class TileField
 	const FieldWork& work() const { return work_; }
 
  private:
+	friend class FieldPoint;
 	struct Range
 	{
 		int first, last;
@@ -135,24 +127,8 @@ class TileField
 		float tx, ty;        ///< place between the middle ones
 		std::uint32_t bins;  ///< direction bins that are not zero there, one bit each
 	};
-	KernelSums sampleNodes(Vec2 p) const;
-	/** The direction bins with their weights. */
-	template <class WeightOf>
-	KernelSums sumBins(Vec2 p, WeightOf weightOf) const
-	{
-		const Taps t = tapsAt(p);
-		NodeSquare sum;
-		bool any = false;
-		for (std::uint32_t bin = 0; bin < directionBins; bin++)
-		{
-			const float weight = t.bins >> bin & 1 ? float(weightOf(bin)) : 0.0f;
-			if (weight == 0) continue;
-			any = true;
-			provideNodes(bin, t.x, t.y);
-			sum.add(scratch_->planes[bin].nodes.data() + t.corner, stride_, weight);
-		}
-		return any ? interpolateNodes(sum.nodes, NodeTaps::count, t.tx, t.ty) : KernelSums{};
-	}
+	/** Interpolates the direction bins of a mask; sums[bin] for each. */
+	void provideBins(const Taps& taps, std::uint32_t mask, KernelSums* sums) const;
 	KernelSums sampleKernels(Vec2 p) const;
 	/** Copies the nodes of a direction bin in these blocks unless that was done before. */
 	void provideNodes(std::uint32_t bin, Range x, Range y) const;
@@ -176,6 +152,31 @@ class TileField
 	FieldScratch* scratch_;
 	mutable BlockMask reach_;
 	mutable FieldWork work_;
+};
+
+/** A place of a sided field whose density is looked at from one side after the other. What was seen from each direction
+ * is interpolated once. */
+class FieldPoint
+{
+ public:
+	FieldPoint(const TileField& field, Vec2 p) : field_(field), p_(p), taps_(field.tapsAt(p)) {}
+
+	Vec2 place() const { return p_; }
+	/** L and its derivatives for a surface whose normal gives the direction bins these weights. */
+	KernelSums sum(const SideWeights& weights);
+	/** Change of the second derivative along a and b per radian that the normal turns to its left. */
+	double turn(Vec2 normal, Vec2 a, Vec2 b);
+
+ private:
+	/** Interpolates the bins that weigh something unless that was done before; gives those that are there, as a mask.
+	 */
+	std::uint32_t provide(const double (&weights)[directionBins]);
+
+	const TileField& field_;
+	Vec2 p_;
+	TileField::Taps taps_;
+	std::uint32_t known_ = 0;  ///< bins that are in sums_, one bit each
+	KernelSums sums_[directionBins];
 };
 
 /** L and its derivatives at a point of the lattice frame [sigma]: the sum over the kernels of all cells in reach, one

@@ -71,24 +71,17 @@ struct NodeTaps
 /** Copies the nodes of a block [kernels] into rows `stride` apart, rounded to single precision. */
 void copyNodes(const std::int64_t* nodes, float* to, int stride);
 
-/** A weighted sum of squares of 8 x 8 nodes, row by row. */
+/** A square of 8 x 8 nodes, and where to put what is interpolated from it. */
 struct NodeSquare
 {
-	alignas(32) float nodes[NodeTaps::count * NodeTaps::count] = {};
-
-	/** Adds `weight` times the square whose first node is `corner`, in rows `stride` apart. */
-	void add(const float* corner, int stride, float weight)
-	{
-		for (int row = 0; row < NodeTaps::count; row++)
-			for (int i = 0; i < NodeTaps::count; i++)
-				nodes[row * NodeTaps::count + i] += weight * corner[row * stride + i];
-	}
+	const float* corner;  ///< first node
+	KernelSums* sums;
 };
 
-/** L and its derivatives [kernels, sigma] between nodes by the weights of interpolation_table.h: `corner` is the first
- * of 8 x 8 nodes in rows `stride` apart; tx and ty, in [0, 1), count from the fourth node, in node spacings. IEEE
- * single precision that is never contracted: the same bits on every machine. */
-KernelSums interpolateNodes(const float* corner, int stride, float tx, float ty);
+/** L and its derivatives [kernels, sigma] between the nodes of each square by the weights of interpolation_table.h:
+ * rows are `stride` apart; tx and ty, in [0, 1), count from the fourth node, in node spacings. IEEE single precision
+ * that is never contracted: the same bits on every machine, whatever the other squares. */
+void interpolateNodes(const NodeSquare* squares, std::size_t count, int stride, float tx, float ty);
 
 /** Changes of the nodes around one block, and memory for making them. For one thread at a time. */
 class SpreadScratch

@@ -13,7 +13,7 @@ void addChangesAvx2(const NodeChanges& to, bool wide, const KernelReach& reach, 
 bool areChangedAvx2(const NodeChanges& changes, bool wide);
 bool applyChangesAvx2(const NodeChanges& changes, bool wide, std::int64_t* nodes);
 void copyNodesAvx2(const std::int64_t* nodes, float* to, int stride);
-KernelSums interpolateNodesAvx2(const float* corner, int stride, float tx, float ty);
+void interpolateNodesAvx2(const NodeSquare* squares, std::size_t count, int stride, float tx, float ty);
 
 namespace
 {
@@ -51,9 +51,9 @@ void copyNodes(const std::int64_t* nodes, float* to, int stride)
 	(hasAvx2 ? copyNodesAvx2 : copyNodesImpl)(nodes, to, stride);
 }
 
-KernelSums interpolateNodes(const float* corner, int stride, float tx, float ty)
+void interpolateNodes(const NodeSquare* squares, std::size_t count, int stride, float tx, float ty)
 {
-	return hasAvx2 ? interpolateNodesAvx2(corner, stride, tx, ty) : interpolateNodesImpl(corner, stride, tx, ty);
+	(hasAvx2 ? interpolateNodesAvx2 : interpolateNodesImpl)(squares, count, stride, tx, ty);
 }
 #else
 KernelSums sumKernels(const BlockView* views, std::size_t count)
@@ -87,9 +87,9 @@ void copyNodes(const std::int64_t* nodes, float* to, int stride)
 	copyNodesImpl(nodes, to, stride);
 }
 
-KernelSums interpolateNodes(const float* corner, int stride, float tx, float ty)
+void interpolateNodes(const NodeSquare* squares, std::size_t count, int stride, float tx, float ty)
 {
-	return interpolateNodesImpl(corner, stride, tx, ty);
+	interpolateNodesImpl(squares, count, stride, tx, ty);
 }
 #endif
 }  // namespace ridgemap

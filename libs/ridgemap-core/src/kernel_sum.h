@@ -15,13 +15,29 @@ struct BlockView
 	float dx = 0, dy = 0;
 };
 
-/** Sums of all kernels and of their derivatives, equations (2)-(4) and the third derivatives; unit sigma, kernels. */
+/** Sums of all kernels and of their derivatives, equations (2)-(4) and the third derivatives; unit sigma, kernels. Not
+ * zero unless it is made so. */
 struct KernelSums
 {
-	double value = 0;
-	double gx = 0, gy = 0;
-	double hxx = 0, hxy = 0, hyy = 0;
-	double txxx = 0, txxy = 0, txyy = 0, tyyy = 0;
+	double value;
+	double gx, gy;
+	double hxx, hxy, hyy;
+	double txxx, txxy, txyy, tyyy;
+
+	/** Adds `weight` times other sums. */
+	void add(const KernelSums& o, double weight)
+	{
+		value += weight * o.value;
+		gx += weight * o.gx;
+		gy += weight * o.gy;
+		hxx += weight * o.hxx;
+		hxy += weight * o.hxy;
+		hyy += weight * o.hyy;
+		txxx += weight * o.txxx;
+		txxy += weight * o.txxy;
+		txyy += weight * o.txyy;
+		tyyy += weight * o.tyyy;
+	}
 };
 
 /** Sums the kernels of the given blocks. Every lane adds in the order of the blocks and groups and the lanes are added

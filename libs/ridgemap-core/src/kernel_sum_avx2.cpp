@@ -35,8 +35,8 @@ void copyNodesAvx2(const std::int64_t* nodes, float* to, int stride)
 	copyNodesImpl(nodes, to, stride);
 }
 
-KernelSums interpolateNodesAvx2(const float* corner, int stride, float tx, float ty)
+void interpolateNodesAvx2(const NodeSquare* squares, std::size_t count, int stride, float tx, float ty)
 {
-	return interpolateNodesImpl(corner, stride, tx, ty);
+	interpolateNodesImpl(squares, count, stride, tx, ty);
 }
 }  // namespace ridgemap

@@ -308,12 +308,8 @@ inline void laneSums(const Float8 (&v)[8], Float8& result)
 }
 #undef RIDGEMAP_SHUFFLE
 
-inline KernelSums interpolateNodesImpl(const float* corner, int stride, float tx, float ty)
+inline KernelSums interpolateSquare(const float* corner, int stride, const Float8 (&x)[4], const Float8 (&y)[4])
 {
-	const Float8 ux = Float8{} + (tx - 0.5f), uy = Float8{} + (ty - 0.5f);
-	Float8 x[4], y[4];
-	tapWeights(ux, x);
-	tapWeights(uy, y);
 	Float8 r0{}, r1{}, r2{}, r3{};  // derivatives along y of every column
 	for (int row = 0; row < 8; row++)
 	{
@@ -338,6 +334,15 @@ inline KernelSums interpolateNodesImpl(const float* corner, int stride, float tx
 	s.txxy = b[0];
 	s.txyy = b[4];
 	return s;
+}
+
+inline void interpolateNodesImpl(const NodeSquare* squares, std::size_t count, int stride, float tx, float ty)
+{
+	Float8 x[4], y[4];
+	tapWeights(Float8{} + (tx - 0.5f), x);
+	tapWeights(Float8{} + (ty - 0.5f), y);
+	for (const NodeSquare* s = squares; s != squares + count; ++s)
+		*s->sums = interpolateSquare(s->corner, stride, x, y);
 }
 }  // namespace
 }  // namespace ridgemap

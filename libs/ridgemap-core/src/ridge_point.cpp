@@ -47,14 +47,15 @@ RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s)
 	return r;
 }
 
-RidgePoint evaluateRidge(const TileField& field, Vec2 p, Vec2 normal)
+RidgePoint evaluateRidge(FieldPoint& point, Vec2 normal)
 {
 	constexpr int maxIterations = 6;
 	constexpr double tolerance = 1e-3;  // angle [rad]
-	RidgePoint r = makeRidgePoint(p, field.sample(p, normal));
-	if (!field.isSided()) return r;
+	SideWeights weights(normal);
 	for (int i = 0;; i++)
 	{
+		RidgePoint r = makeRidgePoint(point.place(), point.sum(weights));
+		if (!(r.occupancy > 0)) return r;
 		if (dot(r.v1, normal) < 0)
 		{
 			r.v1 = -r.v1;
@@ -62,18 +63,23 @@ RidgePoint evaluateRidge(const TileField& field, Vec2 p, Vec2 normal)
 			r.f = -r.f;
 			r.df = -r.df;
 		}
-		if (!(r.occupancy > 0) || i == maxIterations || std::abs(cross(r.v1, normal)) < tolerance ||
-			sameWeights(r.v1, normal))
+		const SideWeights next(r.v1);
+		if (i == maxIterations || std::abs(cross(r.v1, normal)) < tolerance || next == weights)
 		{
-			const KernelSums s = field.sampleTurn(p, r.v1);
-			const Vec2 a = r.v1, b = leftNormal(r.v1);
-			const double turn = s.hxx * a.x * b.x + s.hxy * (a.x * b.y + a.y * b.x) + s.hyy * a.y * b.y;
+			const double turn = point.turn(r.v1, r.v1, leftNormal(r.v1));
 			if (turn != 0) r.response = turn / (r.lambda1 - r.lambda2);
 			return r;
 		}
 		normal = r.v1;
-		r = makeRidgePoint(p, field.sample(p, normal));
+		weights = next;
 	}
+}
+
+RidgePoint evaluateRidge(const TileField& field, Vec2 p, Vec2 normal)
+{
+	if (!field.isSided()) return makeRidgePoint(p, field.sample(p));
+	FieldPoint point(field, p);
+	return evaluateRidge(point, normal);
 }
 
 double sensitivity(const RidgePoint& r)

@@ -42,6 +42,8 @@ RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s);
  * that the density is taken for must be the eigenvector v1 that comes out of it, found by iteration. Elsewhere `normal`
  * has no meaning. */
 RidgePoint evaluateRidge(const TileField& field, Vec2 p, Vec2 normal);
+/** The same at a point of a sided field. */
+RidgePoint evaluateRidge(FieldPoint& point, Vec2 normal);
 
 /** How far the ridge moves [sigma] per relative error of L and its derivatives: the fall of f across the ridge is what
  * resists, and an error of the Hessian turns v1 by its share of the eigen-gap. About 1.5 on a plain wall, without limit

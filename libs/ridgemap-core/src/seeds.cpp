@@ -52,7 +52,7 @@ Search project(const TileField& field, const Options& options, Vec2 start, Vec2 
 		}
 		p = p + move;
 		if (!field.inDomain(p) || norm(p - start) > searchReach) return {};
-		if (known(p)) return {Search::noRidge, std::nullopt};
+		if (known(p)) return {Search::known, std::nullopt};
 	}
 	return {};
 }
@@ -82,7 +82,7 @@ Search climb(const TileField& field, const Options& options, Vec2 start, Vec2 si
 		const Vec2 step = trustRegionStep(r, radius);
 		if (norm(step) < tolerance) return judge(r, options);
 		if (!field.inDomain(r.p + step)) return {};
-		if (known(r.p + step)) return {Search::noRidge, std::nullopt};
+		if (known(r.p + step)) return {Search::known, std::nullopt};
 		const RidgePoint next = evaluateRidge(field, r.p + step, r.v1);
 		const double a = dot(step, r.v1), b = dot(step, r.v2);
 		const double predicted = dot(r.gradient, step) + 0.5 * (r.lambda1 * a * a + r.lambda2 * b * b);

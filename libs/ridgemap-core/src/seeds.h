@@ -19,7 +19,8 @@ struct Search
 	enum Outcome
 	{
 		found,    ///< `ridge` is above L_tol
-		noRidge,  ///< it led to no ridge, or to a place that is known already
+		known,    ///< it led to a place that is known already
+		noRidge,  ///< it led to no ridge
 		gaveUp    ///< it went too far, left the domain of the field or did not converge
 	};
 	Outcome outcome = gaveUp;

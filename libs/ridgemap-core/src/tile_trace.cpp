@@ -15,8 +15,10 @@ namespace
 {
 constexpr double coverDistance = 1;    ///< measurements within this of a piece start no ridge [sigma]
 constexpr double knownDistance = 0.2;  ///< a search that comes this close to a piece has found nothing new [sigma]
-constexpr double seedMargin = 0.5;     ///< measurements up to this far outside a tile may start ridges in it [sigma]
-constexpr double leastLength = 0.02;   ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
+constexpr double besidePath =
+	0.45;  ///< a search this close to the path of one that came to a known place would follow it [sigma]
+constexpr double seedMargin = 0.5;    ///< measurements up to this far outside a tile may start ridges in it [sigma]
+constexpr double leastLength = 0.02;  ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
 
 double lengthOf(const std::vector<RidgeNode>& nodes)
 {
@@ -32,8 +34,8 @@ class TileTracer
 		: field_(field),
 		  border_(border),
 		  options_(options),
-		  covered_(field.isSided() ? directionBins : 1, PlaceSet(field.tileEdge(), TileField::margin)),
-		  searched_(covered_),
+		  covered_(field.tileEdge(), TileField::margin),
+		  searched_(field.tileEdge(), TileField::margin),
 		  tracer_(field, border, options, result_.pieces)
 	{
 	}
@@ -84,7 +86,7 @@ class TileTracer
 					starts.push_back({q, bin});
 			});
 		for (const auto& [q, bin] : starts)
-			if (!covered_[bin].contains(q) && !searched_[bin].contains(q)) fromMeasurement(q, bin);
+			if (!covered_.contains(q, bin) && !searched_.contains(q, bin)) fromMeasurement(q, bin);
 	}
 
 	/** Looks for a ridge from one measurement, unless an earlier search came past. */
@@ -96,13 +98,17 @@ class TileTracer
 		const auto known = [&](Vec2 p)
 		{
 			path_.push_back(p);
-			return searched_[bin].contains(p);
+			return searched_.contains(p, bin);
 		};
 		const Search search = findRidge(field_, options_, q, bin > 0 ? binDirection(bin) : Vec2{1, 0}, known);
 		// Where this search came past, another one would end in the same place; unless this one ran out of its reach,
 		// which would take another one farther, but not to a ridge that is its own.
+		const std::uint32_t mask = std::uint32_t(1) << bin;
 		for (const Vec2& p : path_)
-			if (search.outcome != Search::gaveUp || norm(p - q) < 0.5 * searchReach) searched_[bin].add(p);
+			if (search.outcome == Search::known)
+				searched_.addDisc(p, besidePath, mask);
+			else if (search.outcome != Search::gaveUp || norm(p - q) < 0.5 * searchReach)
+				searched_.add(p, mask);
 		const std::optional<RidgePoint>& seed = search.ridge;
 		if (!seed || !border_.contains(seed->p)) return;
 		result_.traces++;
@@ -150,12 +156,11 @@ class TileTracer
 		for (std::size_t i = 1; i < piece.nodes.size(); i++)
 		{
 			const RidgeNode &a = piece.nodes[i - 1], &b = piece.nodes[i];
-			for (std::uint32_t bin = 0; bin < covered_.size(); bin++)
-			{
-				if (!field_.sees(bin, b.normal)) continue;
-				covered_[bin].addCapsule(a.p, b.p, coverDistance);
-				searched_[bin].addCapsule(a.p, b.p, knownDistance);
-			}
+			std::uint32_t mask = 0;
+			for (std::uint32_t bin = 0; bin < directionBins; bin++)
+				mask |= std::uint32_t(field_.sees(bin, b.normal)) << bin;
+			covered_.addCapsule(a.p, b.p, coverDistance, mask);
+			searched_.addCapsule(a.p, b.p, knownDistance, mask);
 		}
 		result_.pieces.push_back(std::move(piece));
 	}
@@ -164,9 +169,9 @@ class TileTracer
 	TileBorder& border_;
 	const Options& options_;
 	TileTrace result_;
-	std::vector<PlaceSet> covered_;   ///< by direction bin: measurements here start no ridge
-	std::vector<PlaceSet> searched_;  ///< by direction bin: a search that comes here finds nothing new
-	std::vector<Vec2> path_;          ///< of the present search
+	PlaceSets covered_;       ///< by direction bin: measurements here start no ridge
+	PlaceSets searched_;      ///< by direction bin: a search that comes here finds nothing new
+	std::vector<Vec2> path_;  ///< of the present search
 	RidgeTracer tracer_;
 };
 }  // namespace

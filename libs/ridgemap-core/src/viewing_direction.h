@@ -3,7 +3,9 @@
 // and the sensor is free: measurements seen from opposite sides belong to different faces.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <iterator>
 
 #include "vec2.h"
 
@@ -30,39 +32,69 @@ inline std::uint32_t directionBin(Vec2 d)
 	return d.y >= d.x ? bin + 1 : bin;
 }
 
+/** Unit vectors in the middle of the bins; zero for the bin of unknown directions. */
+struct BinDirections
+{
+	static constexpr double c = 0.92387953251128676, s = 0.38268343236508977;  // of 22.5 degrees
+	static constexpr double x[directionBins] = {0, c, s, -s, -c, -c, -s, s, c},
+							y[directionBins] = {0, s, c, c, s, -s, -c, -c, -s};
+};
+
 /** Unit vector in the middle of a bin of known direction. */
 inline Vec2 binDirection(std::uint32_t bin)
 {
-	constexpr double c = 0.92387953251128676, s = 0.38268343236508977;  // of 22.5 degrees
-	constexpr double x[8] = {c, s, -s, -c, -c, -s, s, c}, y[8] = {s, c, c, s, -s, -c, -c, -s};
-	return {x[bin - 1], y[bin - 1]};
+	return {BinDirections::x[bin], BinDirections::y[bin]};
 }
 
-/** Weight of the measurements of a bin in the density of the surface whose normal, towards the viewer, is `normal`: 1
- * in front of the surface, 0 behind it, a smooth step of +-1/4 in the cosine between. Unknown directions weigh 1. */
-inline double sideWeight(std::uint32_t bin, Vec2 normal)
+/** By how much the cosine between the direction of a bin and a normal is past the step between behind and in front, as
+ * a share of the step. */
+inline double sideStep(std::uint32_t bin, Vec2 normal)
 {
-	if (bin == 0) return 1;
-	const double t = 0.5 + 2 * dot(normal, binDirection(bin));
-	if (t <= 0) return 0;
-	return t >= 1 ? 1 : t * t * (3 - 2 * t);
+	const double t = 0.5 + 2 * (normal.x * BinDirections::x[bin] + normal.y * BinDirections::y[bin]);
+	return std::min(1.0, std::max(0.0, t));
 }
 
-/** Change of sideWeight() per radian that the normal turns to its left. */
-inline double sideWeightSlope(std::uint32_t bin, Vec2 normal)
+/** Measurements of a direction bin count for a surface with this normal. */
+inline bool isSeenFrom(std::uint32_t bin, Vec2 normal)
 {
-	if (bin == 0) return 0;
-	const Vec2 d = binDirection(bin);
-	const double t = 0.5 + 2 * dot(normal, d);
-	return t <= 0 || t >= 1 ? 0 : 12 * t * (1 - t) * dot(leftNormal(normal), d);
+	return bin == 0 || sideStep(bin, normal) > 0;
 }
 
-/** The density is the same for both normals. */
-inline bool sameWeights(Vec2 a, Vec2 b)
+/** Weights of the measurements of each direction bin in the density of the surface whose normal, towards the viewer, is
+ * given: 1 in front of the surface, 0 behind it, a smooth step of +-1/4 in the cosine between. Unknown directions
+ * weigh 1. Without a normal, all weigh 1. */
+struct SideWeights
 {
-	for (std::uint32_t bin = 1; bin < directionBins; bin++)
-		if (sideWeight(bin, a) != sideWeight(bin, b)) return false;
-	return true;
-}
+	double of[directionBins];
+
+	SideWeights() { std::fill(std::begin(of), std::end(of), 1.0); }
+	explicit SideWeights(Vec2 normal)
+	{
+		for (std::uint32_t bin = 0; bin < directionBins; bin++)
+		{
+			const double t = sideStep(bin, normal);
+			of[bin] = t * t * (3 - 2 * t);
+		}
+		of[0] = 1;
+	}
+	/** The density is the same for both normals. */
+	bool operator==(const SideWeights& o) const { return std::equal(std::begin(of), std::end(of), std::begin(o.of)); }
+};
+
+/** Change of the weights per radian that the normal turns to its left. */
+struct SideSlopes
+{
+	double of[directionBins];
+
+	explicit SideSlopes(Vec2 normal)
+	{
+		const Vec2 left = leftNormal(normal);
+		for (std::uint32_t bin = 0; bin < directionBins; bin++)
+		{
+			const double t = sideStep(bin, normal);
+			of[bin] = 12 * t * (1 - t) * (left.x * BinDirections::x[bin] + left.y * BinDirections::y[bin]);
+		}
+	}
+};
 
 }  // namespace ridgemap
