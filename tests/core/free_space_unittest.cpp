@@ -214,6 +214,30 @@ TEST(FreeSpace, NarrowCountersOverflowIntoWideOnes)
 	EXPECT_TRUE(space.empty());
 }
 
+TEST(FreeSpace, NarrowCountersTakeInsertionsAndErasuresInTurns)
+{
+	const Options options;
+	FreeSpace space(options), one(options);
+	// The count of a cell stays small, while the sums of directions would run away if what is erased stayed in them.
+	const Measurements along(5000, Measurement{0.3, 0, 0, 0}), across(5000, Measurement{0, 0.3, 0, 0});
+	one.insert(Measurements{across.front()});
+	const int rounds = 40;
+	for (int i = 0; i < rounds; i++)
+	{
+		space.insert(along);
+		space.insert(across);
+		space.erase(along);
+	}
+	const auto cells = space.cells(), unit = one.cells();
+	ASSERT_EQ(cells.size(), unit.size());
+	for (std::size_t i = 0; i < cells.size(); i++)
+	{
+		const FreeCellRecord& u = unit[i];
+		EXPECT_TRUE(
+			(cells[i] == FreeCellRecord{u.cx, u.cy, u.n * 5000 * rounds, u.a * 5000 * rounds, u.b * 5000 * rounds}));
+	}
+}
+
 TEST(FreeSpace, StoredCellsComeBackAndForgedOnesDoNot)
 {
 	Random random(5);

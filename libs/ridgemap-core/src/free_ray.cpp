@@ -4,14 +4,17 @@
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace ridgemap
 {
 namespace
 {
+/** floor(v + 0.5), without the call that floor() needs on processors before SSE 4.1. */
 std::int64_t rounded(double v)
 {
-	return std::int64_t(std::floor(v + 0.5));
+	const std::int64_t i = std::int64_t(v + 0.5);
+	return i - (double(i) > v + 0.5);
 }
 
 [[noreturn]] void rejectRay(const FreeRay& r)
@@ -22,6 +25,23 @@ std::int64_t rounded(double v)
 	throw std::invalid_argument(s.str());
 }
 }  // namespace
+
+RayWalk::RayWalk(const LatticeRay& ray)
+{
+	LatticePoint from = ray.from, to = ray.to;
+	steep_ = std::abs(to.u - from.u) < std::abs(to.v - from.v);
+	if (steep_)
+	{
+		std::swap(from.u, from.v);
+		std::swap(to.u, to.v);
+	}
+	if (to.u < from.u) std::swap(from, to);
+	u0_ = from.u;
+	u1_ = to.u;
+	row0_ = from.v >> cellBits;
+	v0_ = (from.v & (LatticeRay::quantaPerCell - 1)) << fractionBits;
+	slope_ = floorDiv((to.v - from.v) * (std::int64_t(1) << fractionBits), to.u - from.u);
+}
 
 std::optional<LatticeRay> makeRay(const Frame& frame, const FreeRay& ray, double margin)
 {

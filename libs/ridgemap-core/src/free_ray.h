@@ -5,6 +5,7 @@
 #include <ridgemap/options.h>
 #include <ridgemap/types.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 
@@ -29,50 +30,74 @@ struct LatticeRay
  * known, no ray. Throws std::invalid_argument if an end lies beyond +-1e6 m. */
 std::optional<LatticeRay> makeRay(const Frame& frame, const FreeRay& ray, double margin);
 
-/** Where a ray is along one axis. */
-class RayAxis
+/** A ray as a walk along its longer axis: the rows (columns, for rays that are steeper than 45 degrees) of cells in
+ * which it enters and leaves every column. Positions come from one slope in units of 2^-32, so that each follows from
+ * the one before by one addition; they lie below the true ones by less than a tenth of a quantum. A ray and its reverse
+ * have the same walk. */
+class RayWalk
 {
  public:
-	RayAxis(std::int64_t from, std::int64_t to)
-		: step(to > from   ? 1
-			   : to < from ? -1
-						   : 0),
-		  length(to > from ? to - from : from - to)
+	explicit RayWalk(const LatticeRay& ray);
+
+	bool steep() const { return steep_; }
+	/** Columns of the walk; for steep rays these are rows of cells. */
+	std::int64_t firstColumn() const { return u0_ >> cellBits; }
+	std::int64_t lastColumn() const { return u1_ >> cellBits; }
+	/** +1 or -1: where the rows of later columns lie, if not in the same row. */
+	std::int64_t rowStep() const { return slope_ < 0 ? -1 : 1; }
+	/** The row in which the ray enters a column of the walk, or starts; that of its end for lastColumn() + 1. */
+	std::int64_t rowAt(std::int64_t column) const { return row0_ + (position(column) >> rowBits); }
+
+	/** Calls fn(column, row, leaving) for columns of the walk: the ray enters in `row` and leaves in `leaving`, which
+	 * is the same or the next one by rowStep(). */
+	template <class Fn>
+	void forEachColumn(std::int64_t first, std::int64_t last, Fn fn) const
 	{
-		// A ray that starts on a border belongs to the cell that it goes into.
-		cell = floorDiv(step < 0 ? from - 1 : from, LatticeRay::quantaPerCell);
-		toBorder = step > 0 ? (cell + 1) * LatticeRay::quantaPerCell - from : from - cell * LatticeRay::quantaPerCell;
-		crossings = toBorder < length ? (length - 1 - toBorder) / LatticeRay::quantaPerCell + 1 : 0;
+		// Copies, because fn may write to memory that could be this object, as far as a compiler can tell.
+		const std::int64_t row0 = row0_, end = rowAt(last + 1), perColumn = slope_ * LatticeRay::quantaPerCell;
+		std::int64_t row = rowAt(first), next = position(first + 1);
+		for (std::int64_t column = first; column < last; column++)
+		{
+			const std::int64_t leaving = row0 + (next >> rowBits);
+			fn(column, row, leaving);
+			row = leaving;
+			next += perColumn;
+		}
+		fn(last, row, end);
 	}
 
-	std::int64_t step, length;
-	std::int64_t cell;       ///< present cell
-	std::int64_t toBorder;   ///< from the start to the first border
-	std::int64_t crossings;  ///< borders between start and end
+ private:
+	static constexpr int cellBits = 13;
+	static constexpr int fractionBits = 32;
+	static constexpr int rowBits = cellBits + fractionBits;
+	static_assert(LatticeRay::quantaPerCell == std::int64_t(1) << cellBits);
+
+	/** Where the ray enters a column, in 2^-32 quanta above row0_. */
+	std::int64_t position(std::int64_t column) const
+	{
+		const std::int64_t u = std::max(u0_, std::min(u1_, column << cellBits));
+		return v0_ + (u - u0_) * slope_;
+	}
+
+	bool steep_;
+	std::int64_t u0_, u1_;  ///< along the longer axis, u0 <= u1
+	std::int64_t row0_;     ///< the row at u0
+	std::int64_t v0_;       ///< at u0, in 2^-32 quanta above row0_
+	std::int64_t slope_;    ///< in 2^-32, at most 1
 };
 
-/** Calls fn(cx, cy) for all cells that share a stretch of more than a point with the ray, in order. Exact: the borders
- * crossed are ordered by comparing products of integers. A ray through a corner goes from cell to cell diagonally. */
+/** Calls fn(cx, cy) once for all cells of the walk of a ray. */
 template <class Fn>
 void forEachCell(const LatticeRay& ray, Fn fn)
 {
-	RayAxis x(ray.from.u, ray.to.u), y(ray.from.v, ray.to.v);
-	fn(x.cell, y.cell);
-	// Positive: the next border is one of y; zero: a corner.
-	std::int64_t order = x.toBorder * y.length - y.toBorder * x.length;
-	if (x.length == 0) order = 1;
-	if (y.length == 0) order = -1;
-	const std::int64_t perX = LatticeRay::quantaPerCell * y.length, perY = LatticeRay::quantaPerCell * x.length;
-	for (std::int64_t left = x.crossings + y.crossings; left > 0;)
-	{
-		// Without branches, which could not be predicted: all bits set where the ray steps.
-		const std::int64_t goX = -std::int64_t(order <= 0), goY = -std::int64_t(order >= 0);
-		x.cell += x.step & goX;
-		y.cell += y.step & goY;
-		order += (perX & goX) - (perY & goY);
-		left += goX + goY;
-		fn(x.cell, y.cell);
-	}
+	const RayWalk walk(ray);
+	const auto visit = [&](std::int64_t column, std::int64_t row) { walk.steep() ? fn(row, column) : fn(column, row); };
+	walk.forEachColumn(walk.firstColumn(), walk.lastColumn(),
+					   [&](std::int64_t column, std::int64_t row, std::int64_t leaving)
+					   {
+						   visit(column, row);
+						   if (leaving != row) visit(column, leaving);
+					   });
 }
 
 }  // namespace ridgemap

@@ -2,7 +2,10 @@
 #include "free_space.h"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
+
+#include "ray_counter.h"
 
 namespace ridgemap
 {
@@ -22,47 +25,6 @@ bool isPossible(const PassSums& s)
 }
 }  // namespace
 
-PassSums FreeSpace::CounterTile::sums(std::size_t i) const
-{
-	PassSums s{low[i].n, low[i].a, low[i].b};
-	if (!high) return s;
-	const PassSums& h = (*high)[i];
-	return {s.n + h.n, s.a + h.a, s.b + h.b};
-}
-
-void FreeSpace::CounterTile::carry(std::size_t i)
-{
-	if (!high) high = std::make_unique<std::array<PassSums, tileCells * tileCells>>();
-	(*high)[i] = sums(i);
-	low[i] = {};
-}
-
-inline void FreeSpace::CounterTile::add(std::size_t i, std::int32_t n, std::int32_t a, std::int32_t b)
-{
-	Counter& c = low[i];
-	c = {c.n + n, c.a + a, c.b + b};
-	// One of the three has left -2^30 .. 2^30.
-	constexpr std::uint32_t half = std::uint32_t(1) << 30;
-	if (((std::uint32_t(c.n) + half) | (std::uint32_t(c.a) + half) | (std::uint32_t(c.b) + half)) >> 31) carry(i);
-}
-
-void FreeSpace::CounterTile::add(std::size_t i, const PassSums& s)
-{
-	constexpr std::int64_t small = 1 << 20;
-	if (std::abs(s.n) < small && std::abs(s.a) < small && std::abs(s.b) < small)
-		return add(i, std::int32_t(s.n), std::int32_t(s.a), std::int32_t(s.b));
-	carry(i);
-	PassSums& h = (*high)[i];
-	h = {h.n + s.n, h.a + s.a, h.b + s.b};
-}
-
-std::size_t FreeSpace::CounterTile::used() const
-{
-	std::size_t count = 0;
-	for (std::size_t i = 0; i < low.size(); i++) count += sums(i) == PassSums{} ? 0 : 1;
-	return count;
-}
-
 FreeSpace::FreeSpace(const Options& options)
 	: frame_(options.sigma), margin_(options.freeSpaceMargin), counting_(options.freeSpace)
 {
@@ -70,25 +32,13 @@ FreeSpace::FreeSpace(const Options& options)
 
 FreeSpace::FreeSpace(const FreeSpace& o) : frame_(o.frame_), margin_(o.margin_), counting_(o.counting_)
 {
-	for (const auto& [key, t] : o.tiles_)
-	{
-		CounterTile& copy = tile(key);
-		copy.low = t->low;
-		if (t->high) copy.high = std::make_unique<std::array<PassSums, tileCells * tileCells>>(*t->high);
-	}
+	for (const auto& [key, t] : o.tiles_) tiles_[key] = std::make_unique<CounterTile>(*t);
 }
 
 FreeSpace& FreeSpace::operator=(const FreeSpace& o)
 {
 	if (this != &o) *this = FreeSpace(o);
 	return *this;
-}
-
-FreeSpace::CounterTile& FreeSpace::tile(TileKey key)
-{
-	std::unique_ptr<CounterTile>& t = tiles_[key];
-	if (!t) t = std::make_unique<CounterTile>();
-	return *t;
 }
 
 std::vector<LatticeRay> FreeSpace::raysOf(const std::vector<Measurement>& measurements) const
@@ -113,42 +63,9 @@ std::vector<LatticeRay> FreeSpace::raysOf(const std::vector<FreeRay>& free) cons
 
 std::vector<TileKey> FreeSpace::apply(const std::vector<LatticeRay>& rays, int sign)
 {
-	std::vector<TileKey> touched;
-	TileKey key;
-	CounterTile* current = nullptr;
-	// The rays of a scan pass the same tiles again and again: these are found without the map.
-	struct Known
-	{
-		TileKey key;
-		CounterTile* tile = nullptr;
-	};
-	std::array<Known, 256> known{};
-	const auto find = [&](TileKey t)
-	{
-		Known& k = known[std::size_t((t.y & 15) * 16 + (t.x & 15))];
-		if (!k.tile || k.key != t)
-		{
-			k = {t, &tile(t)};
-			touched.push_back(t);
-		}
-		return k.tile;
-	};
-	for (const LatticeRay& ray : rays)
-	{
-		const std::int32_t a = sign * ray.a, b = sign * ray.b;
-		forEachCell(ray,
-					[&](std::int64_t cx, std::int64_t cy)
-					{
-						const TileKey t = tileOf(cx, cy);
-						if (!current || t != key)
-						{
-							key = t;
-							current = find(t);
-						}
-						current->add(slot(cx, cy), sign, a, b);
-					});
-	}
-	return touched;
+	RayCounter counter(tiles_);
+	counter.count(rays, sign);
+	return counter.touched();
 }
 
 bool FreeSpace::possible(const std::vector<TileKey>& keys) const
@@ -156,7 +73,7 @@ bool FreeSpace::possible(const std::vector<TileKey>& keys) const
 	for (const TileKey& key : keys)
 	{
 		const CounterTile& t = *tiles_.at(key);
-		for (std::size_t i = 0; i < t.low.size(); i++)
+		for (std::size_t i = 0; i < CounterTile::cells; i++)
 			if (!isPossible(t.sums(i))) return false;
 	}
 	return true;
@@ -193,8 +110,11 @@ void FreeSpace::change(const std::vector<FreeCellRecord>& cells, int sign)
 	std::vector<TileKey> touched;
 	for (const FreeCellRecord& c : cells)
 	{
-		const TileKey key = tileOf(c.cx, c.cy);
-		tile(key).add(slot(c.cx, c.cy), PassSums{sign * std::int64_t(c.n), sign * c.a, sign * c.b});
+		const TileKey key = CounterTile::keyOf(c.cx, c.cy);
+		CounterTile& t = tileAt(tiles_, key);
+		const std::size_t i = CounterTile::slot(c.cx, c.cy);
+		const PassSums s = t.sums(i);
+		t.set(i, {s.n + sign * std::int64_t(c.n), s.a + sign * c.a, s.b + sign * c.b});
 		if (sign < 0 && (touched.empty() || touched.back() != key)) touched.push_back(key);
 	}
 	std::sort(touched.begin(), touched.end());
@@ -225,12 +145,13 @@ std::vector<FreeCellRecord> FreeSpace::cells() const
 {
 	std::vector<FreeCellRecord> result;
 	for (const auto& [key, t] : tiles_)
-		for (std::size_t i = 0; i < t->low.size(); i++)
+		for (std::size_t i = 0; i < CounterTile::cells; i++)
 		{
 			const PassSums s = t->sums(i);
 			if (s.n == 0) continue;
-			result.push_back({key.x * tileCells + std::int64_t(i) % tileCells,
-							  key.y * tileCells + std::int64_t(i) / tileCells, std::uint64_t(s.n), s.a, s.b});
+			result.push_back({key.x * CounterTile::edge + std::int64_t(i) % CounterTile::edge,
+							  key.y * CounterTile::edge + std::int64_t(i) / CounterTile::edge, std::uint64_t(s.n), s.a,
+							  s.b});
 		}
 	std::sort(result.begin(), result.end(),
 			  [](const FreeCellRecord& x, const FreeCellRecord& y)
@@ -248,15 +169,14 @@ std::size_t FreeSpace::cellCount() const
 std::size_t FreeSpace::memoryBytes() const
 {
 	std::size_t bytes = 0;
-	for (const auto& entry : tiles_)
-		bytes += sizeof(CounterTile) + (entry.second->high ? sizeof(*entry.second->high) : 0);
+	for (const auto& entry : tiles_) bytes += entry.second->memoryBytes();
 	return bytes;
 }
 
 PassSums FreeSpace::at(std::int64_t cx, std::int64_t cy) const
 {
-	const auto found = tiles_.find(tileOf(cx, cy));
-	return found == tiles_.end() ? PassSums{} : found->second->sums(slot(cx, cy));
+	const auto found = tiles_.find(CounterTile::keyOf(cx, cy));
+	return found == tiles_.end() ? PassSums{} : found->second->sums(CounterTile::slot(cx, cy));
 }
 
 std::array<double, 3> FreeSpace::interpolated(Vec2 p) const

@@ -4,24 +4,13 @@
 #include <ridgemap/ridge_map.h>
 
 #include <array>
-#include <memory>
-#include <unordered_map>
 #include <vector>
 
 #include "free_ray.h"
-#include "tile.h"
+#include "free_tile.h"
 
 namespace ridgemap
 {
-/** What is known of the rays through a cell: their number n, A = sum round(128 cos 2 phi), B = sum round(128 sin 2 phi)
- * over their angles phi, exact. */
-struct PassSums
-{
-	std::int64_t n = 0, a = 0, b = 0;
-
-	friend bool operator==(const PassSums& x, const PassSums& y) { return x.n == y.n && x.a == y.a && x.b == y.b; }
-};
-
 /** Counts the rays through cells of 2 sigma, in the frame of the measurement lattice: a pure function of the multiset
  * of rays. Const functions may be called from several threads at once. */
 class FreeSpace
@@ -58,26 +47,6 @@ class FreeSpace
 	std::array<double, 3> interpolated(Vec2 p) const;
 
  private:
-	static constexpr std::int64_t tileCells = 16;  ///< along one edge of a tile
-
-	/** 12 bytes a cell. What does not fit any more is moved to the sums of 64 bits, which few tiles need. */
-	struct Counter
-	{
-		std::int32_t n = 0, a = 0, b = 0;
-	};
-	struct CounterTile
-	{
-		std::array<Counter, tileCells * tileCells> low{};
-		std::unique_ptr<std::array<PassSums, tileCells * tileCells>> high;
-
-		PassSums sums(std::size_t i) const;
-		void add(std::size_t i, std::int32_t n, std::int32_t a, std::int32_t b);
-		void add(std::size_t i, const PassSums& s);
-		void carry(std::size_t i);
-		std::size_t used() const;
-	};
-	using Tiles = std::unordered_map<TileKey, std::unique_ptr<CounterTile>, TileKeyHash>;
-
 	std::vector<LatticeRay> raysOf(const std::vector<Measurement>& m) const;
 	std::vector<LatticeRay> raysOf(const std::vector<FreeRay>& r) const;
 	void change(const std::vector<LatticeRay>& rays, int sign);
@@ -85,14 +54,11 @@ class FreeSpace
 	std::vector<TileKey> apply(const std::vector<LatticeRay>& rays, int sign);
 	bool possible(const std::vector<TileKey>& tiles) const;
 	void dropEmpty(const std::vector<TileKey>& tiles);
-	CounterTile& tile(TileKey key);
-	static TileKey tileOf(std::int64_t cx, std::int64_t cy) { return {std::int32_t(cx >> 4), std::int32_t(cy >> 4)}; }
-	static std::size_t slot(std::int64_t cx, std::int64_t cy) { return std::size_t((cy & 15) * tileCells + (cx & 15)); }
 
 	Frame frame_;
 	double margin_;
 	bool counting_;
-	Tiles tiles_;
+	CounterTiles tiles_;
 };
 
 }  // namespace ridgemap
