@@ -3,8 +3,9 @@
 # evaluate_icp.sh <build directory> <logs directory> <log>...: path errors of MRPT's icp-slam on real logs, as a table.
 # For every log, the directory holds <log>.rawlog and <log>_gt.txt.gz with one true pose 't x y phi' for each scan.
 # Compared are the ridge map (datasets/config/icp-slam/ridge-points.ini), the same settings on MRPT's points map, also by
-# Levenberg-Marquardt, and the settings of the MRPT demo. REPETITIONS=5 runs the ridge map with perturbed settings, too:
-# another decimation, eps, distance of insertions and first gate. RIDGES_ONLY=1 leaves the points maps out.
+# Levenberg-Marquardt, and the settings of the MRPT demo, also on its grid. REPETITIONS=5 perturbs the ridge map's
+# runs: another decimation (whose offset changes from one iteration to the next), another eps, and starts 10 and 25 scans
+# later, from other poses, the last with another first gate. RIDGES_ONLY=1 leaves the maps of MRPT out.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -30,14 +31,14 @@ as_points()
 	printf '\n[MappingApplication_pointsMap_00_insertOpts]\nminDistBetweenLaserPoints = 0.05\nfuseWithExisting = false\nisPlanarMap = 1\n'
 }
 
-# row <title> <ini> <log>: one run, one line of the table.
+# row <title> <ini> <log> [skip]: one run, one line of the table; the path starts that many scans later.
 row()
 {
 	rm -rf "$scratch/run"
 	mkdir "$scratch/run"
 	local error seconds
 	(cd "$scratch/run" && "$build/bin/ridgemap-run" icp-slam "$2" "$logs/$3.rawlog" </dev/null >log 2>&1) || true
-	error=$("$build/bin/path-error" "$scratch/run/OUT/log_estimated_path.txt" "$logs/$3_gt.txt.gz" 2>&1) || error="failed: $error"
+	error=$("$build/bin/path-error" "$scratch/run/OUT/log_estimated_path.txt" "$logs/$3_gt.txt.gz" "${4:-0}" 2>&1) || error="failed: $error"
 	seconds=$(grep -oE 'total time: [0-9.]+' "$scratch/run/log" | grep -oE '[0-9.]+$' || echo -)
 	printf '| %s | %s | %s | %s |\n' "$3" "$1" \
 		"$(sed -E 's/poses ([0-9]+)  rms ([0-9.]+) m  greatest ([0-9.]+) m  rms yaw ([0-9.]+) deg/\2 | \3 | \4/' <<<"$error")" "$seconds"
@@ -51,13 +52,17 @@ quiet "$demo" >"$scratch/demo.ini"
 set_variant() { sed -E "$2" "$scratch/tuned.ini" >"$scratch/variant$1.ini"; }
 set_variant 1 's/^corresponding_points_decimation.*/corresponding_points_decimation = 2/'
 set_variant 2 's/^sigma .*/&\neps = 0.002/'
-set_variant 3 's/^rawlog_offset.*/rawlog_offset = 0/; s/^insertionLinDistance.*/insertionLinDistance = 0.6/'
-set_variant 4 's/^thresholdDist.*/thresholdDist = 1.1/'
+set_variant 3 's/^rawlog_offset.*/rawlog_offset = 21/'
+set_variant 4 's/^rawlog_offset.*/rawlog_offset = 51/; s/^thresholdDist.*/thresholdDist = 1.1/'
+titles=('decimation 2' 'eps 2 mm' 'starts 10 scans later' 'starts 25 scans later, first gate 1.1 m')
+skips=(0 0 10 25)
 
 printf '| log | map | rms [m] | greatest [m] | rms yaw [deg] | time [s] |\n|---|---|---|---|---|---|\n'
 for log in "$@"; do
 	row 'ridge map' "$scratch/tuned.ini" "$log"
-	for ((i = 1; i < ${REPETITIONS:-1} && i <= 4; i++)); do row "ridge map, perturbed $i" "$scratch/variant$i.ini" "$log"; done
+	for ((i = 1; i < ${REPETITIONS:-1} && i <= 4; i++)); do
+		row "ridge map, ${titles[i - 1]}" "$scratch/variant$i.ini" "$log" "${skips[i - 1]}"
+	done
 	[ -z "${RIDGES_ONLY:-}" ] || continue
 	row 'points map, same settings' "$scratch/points.ini" "$log"
 	row 'points map, Levenberg-Marquardt' "$scratch/lm.ini" "$log"

@@ -3,6 +3,7 @@
 #include <ridgemap/point_to_line_matching.h>
 
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace ridgemap;
@@ -75,10 +76,43 @@ TEST(PointToLine, SeveralStartsBringBackALostHeading)
 		const MatchingGate gate{1, 0.1, 2, {start.x, start.y}};
 		const auto good = [&](const Alignment& a) { return std::abs(a.pose.phi - truth.phi) < 1e-4; };
 		alone += good(alignToLines(targets, points, start, gate, options));
-		several += good(alignFromSeveralYaws(targets, points, start, gate, options));
+		several += good(alignFromSeveralStarts(targets, points, start, gate, options));
 	}
 	EXPECT_EQ(several, 11);
 	EXPECT_LT(alone, 11);
+}
+
+TEST(PointToLine, NarrowingGatesReachFartherThanOneNarrowGate)
+{
+	const auto walls = corner();
+	const MatchingTargets targets(walls, {}, {});
+	const PlanarPose truth{0.3, -0.4, 0.2}, start{0.75, -0.1, 0.25};
+	const auto points = seenFrom(walls, truth);
+	const auto error = [&](const Alignment& a) { return std::hypot(a.pose.x - truth.x, a.pose.y - truth.y); };
+	EXPECT_GT(error(alignToLines(targets, points, start, {0.1, 0, 2, {}}, {})), 0.05);
+	EXPECT_LT(error(alignNarrowing(targets, points, start, {1, 0.1, 2, {start.x, start.y}}, {})), 2e-3);
+	const double inf = std::numeric_limits<double>::infinity();
+	EXPECT_LT(error(alignNarrowing(targets, points, start, {inf, 0, 2, {}}, {})), 2e-3);
+}
+
+TEST(PointToLine, AmongEqualSolutionsTheNearestCounts)
+{
+	// A comb: moved by a tooth it looks the same, but for its end.
+	std::vector<Polyline> comb{line({0, 0}, {8, 0})};
+	for (int i = 0; i <= 16; i++) comb.push_back(line({0.5 * i, 0}, {0.5 * i, 0.3}, 6));
+	const MatchingTargets targets(comb, {}, {});
+	std::vector<Polyline> seen;
+	for (int i = 6; i <= 10; i++) seen.push_back(line({0.5 * i, 0}, {0.5 * i, 0.3}, 6));
+	seen.push_back(line({3, 0}, {5, 0}));
+	const PlanarPose truth{4, 2, -1.5};
+	const auto points = seenFrom(seen, truth);
+	for (const double off : {-0.2, -0.1, 0.1, 0.2})
+	{
+		const PlanarPose start{truth.x + off, truth.y + 0.05, truth.phi};
+		const Alignment found = alignFromSeveralStarts(targets, points, start, {1, 0.17, 2, {start.x, start.y}}, {});
+		EXPECT_NEAR(found.pose.x, truth.x, 1e-3) << off;
+		EXPECT_NEAR(found.pose.y, truth.y, 1e-3) << off;
+	}
 }
 
 TEST(PointToLine, DirectionsWithoutEvidenceStayAsTheyAre)
@@ -134,7 +168,7 @@ TEST(PointToLine, NothingToAlignWith)
 	const PlanarPose start{1, 2, 3};
 	for (const auto& points : {std::vector<Point2>{}, std::vector<Point2>{{1, 1}, {std::nan(""), 0}}})
 	{
-		const Alignment found = alignFromSeveralYaws(none, points, start, {1, 0, 2, {}}, {});
+		const Alignment found = alignFromSeveralStarts(none, points, start, {1, 0, 2, {}}, {});
 		EXPECT_EQ(found.pose.x, 1);
 		EXPECT_EQ(found.pose.y, 2);
 		EXPECT_EQ(found.pose.phi, 3);

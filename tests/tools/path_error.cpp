@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// path-error ESTIMATE REFERENCE: how far a path is from the true one, after the rigid alignment that brings them
-// closest (absolute trajectory error). Both files hold one pose a line, `<time or number> x y phi`, row for row.
+// path-error ESTIMATE REFERENCE [SKIP]: how far a path is from the true one, after the rigid alignment that brings them
+// closest (absolute trajectory error). Both files hold one pose a line, `<time or number> x y phi`, row for row; the
+// first SKIP rows of the reference are left out, for paths that start later.
 #include <mrpt/io/CFileGZInputStream.h>
 
 #include <cmath>
@@ -81,8 +82,10 @@ int main(int argc, char** argv)
 {
 	try
 	{
-		if (argc != 3) throw std::runtime_error("usage: path-error ESTIMATE REFERENCE");
+		if (argc != 3 && argc != 4) throw std::runtime_error("usage: path-error ESTIMATE REFERENCE [SKIP]");
 		auto estimate = readPath(argv[1]), reference = readPath(argv[2]);
+		const std::size_t skip = argc > 3 ? std::min<std::size_t>(std::stoul(argv[3]), reference.size()) : 0;
+		reference.erase(reference.begin(), reference.begin() + std::ptrdiff_t(skip));
 		if (estimate.size() < 3 || estimate.size() != reference.size())
 			throw std::runtime_error("the paths hold " + std::to_string(estimate.size()) + " and " +
 									 std::to_string(reference.size()) + " poses: equal numbers are needed");

@@ -51,9 +51,9 @@ ChosenPoints choose(const mrpt::maps::CPointsMap& map, const mrpt::maps::TMatchi
 	return chosen;
 }
 
-/** Pairs every point that has a target within the gate. `toMap` brings a point into the map frame. */
-template <class ToMap, class Gate>
-void makePairs(const MatchingTargets& targets, const ChosenPoints& chosen, ToMap&& toMap, Gate&& gate,
+/** Pairs every point that has a target. `toMap` brings a point into the map frame, `find` looks for its target. */
+template <class ToMap, class Find>
+void makePairs(const MatchingTargets& targets, const ChosenPoints& chosen, ToMap&& toMap, Find&& find,
 			   mrpt::tfest::TMatchingPairList& pairs, mrpt::maps::TMatchingExtraResults& extra)
 {
 	pairs.clear();
@@ -62,7 +62,7 @@ void makePairs(const MatchingTargets& targets, const ChosenPoints& chosen, ToMap
 	for (std::size_t i = 0; i < chosen.points.size(); i++)
 	{
 		const TPoint3D &local = chosen.points[i], global = toMap(local);
-		const auto target = targets.nearest({global.x, global.y}, gate(global));
+		const auto target = find(global);
 		if (!target) continue;
 		pairs.emplace_back(uint32_t(targets.pointOf(*target)), uint32_t(chosen.indices[i]), float(target->point.x),
 						   float(target->point.y), float(global.z), float(local.x), float(local.y), float(local.z));
@@ -112,10 +112,13 @@ PlanarPose solve(const MatchingTargets& targets, const ChosenPoints& chosen, con
 	std::vector<Point2> points;
 	points.reserve(chosen.points.size());
 	for (const auto& p : chosen.points) points.push_back({p.x, p.y});
-	const bool turn = options.yawStarts > 0 && gate.distance >= options.yawLeastGate &&
-					  !(options.yawFirstOnly && memory.goesOn(start, gate.distance));
-	const Alignment found = turn ? alignFromSeveralYaws(targets, points, start, gate, options)
-								 : alignToLines(targets, points, start, gate, options);
+	// The first call solves all of the problem; those that follow keep to the solution while the program narrows its
+	// gate.
+	const bool first = !options.yawFirstOnly || !memory.goesOn(start, gate.distance);
+	TMatchingOptions polish = options;
+	polish.robustShare = 0;
+	const Alignment found = first ? alignFromSeveralStarts(targets, points, start, gate, options)
+								  : alignToLines(targets, points, start, gate, polish);
 	memory.remember(found.pose, gate.distance);
 	return found.pose;
 }
@@ -138,8 +141,14 @@ void CRidgeMap2D::determineMatching2D(const mrpt::maps::CMetricMap* otherMap, co
 	const double c = std::cos(pose.phi), s = std::sin(pose.phi);
 	const auto toMap = [&](const TPoint3D& p)
 	{ return TPoint3D(pose.x + c * p.x - s * p.y, pose.y + s * p.x + c * p.y, 0); };
-	const auto gateAt = [&](const TPoint3D& p) { return gate.at({p.x, p.y}); };
-	makePairs(*targets, chosen, toMap, gateAt, correspondences, extraResults);
+	// Levenberg-Marquardt compares feet with squareDistanceToClosestCorrespondence(), which knows no robot.
+	const bool sides = lines && matchingOptions.matchSides;
+	const auto find = [&](const TPoint3D& global)
+	{
+		const Point2 p{global.x, global.y};
+		return sides ? targets->nearestVisible(p, {pose.x, pose.y}, gate.at(p)) : targets->nearest(p, gate.at(p));
+	};
+	makePairs(*targets, chosen, toMap, find, correspondences, extraResults);
 	if (lines) makeSolution(pose, correspondences);
 }
 
@@ -150,13 +159,15 @@ void CRidgeMap2D::determineMatching3D(const mrpt::maps::CMetricMap* otherMap, co
 {
 	const ChosenPoints chosen = choose(pointsToMatch(otherMap), params);
 	const auto toMap = [&](const TPoint3D& p) { return otherMapPose.composePoint(p); };
-	const auto gateAt = [&](const TPoint3D& p)
+	const auto targets = matchingTargets();
+	const auto find = [&](const TPoint3D& p)
 	{
 		const double turned =
 			double(params.maxAngularDistForCorrespondence) * (p - params.angularDistPivotPoint).norm();
-		return std::min(double(params.maxDistForCorrespondence) + turned, matchingOptions.maxGate);
+		const double gate = std::min(double(params.maxDistForCorrespondence) + turned, matchingOptions.maxGate);
+		return targets->nearest({p.x, p.y}, gate);
 	};
-	makePairs(*matchingTargets(), chosen, toMap, gateAt, correspondences, extraResults);
+	makePairs(*targets, chosen, toMap, find, correspondences, extraResults);
 }
 
 float CRidgeMap2D::compute3DMatchingRatio(const mrpt::maps::CMetricMap* otherMap,

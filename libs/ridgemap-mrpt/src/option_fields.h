@@ -154,6 +154,10 @@ void visitFields(const TMatchingOptions*, O& o, V&& visit)
 		  o.robustShare);
 	visit(FieldInfo{"robustLeast", "m", "least scale of the robust weights", 1e-4, 100}, o.robustLeast);
 	visit(FieldInfo{"solverIterations", "", "most steps of one solution", 1, 1000}, o.solverIterations);
+	visit(FieldInfo{"nearGate", "m", "the start given is first tried with this gate", 1e-3, 1e3}, o.nearGate);
+	visit(FieldInfo{"startShare", "",
+					"no turned starts if a narrow and a wide gate agree, and this share of the points fits", 0, 10},
+		  o.startShare);
 	visit(FieldInfo{"yawStarts", "", "further starts on each side, turned about the sensor; 0: none", 0, 90},
 		  o.yawStarts);
 	visit(FieldInfo{"yawStep", "deg", "turn from one start to the next", 0.1, 90}, o.yawStep);

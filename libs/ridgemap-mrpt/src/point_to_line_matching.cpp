@@ -14,6 +14,8 @@ constexpr double scoreScale = 0.1, scoreReach = 0.5;
 constexpr double smallestStep = 1e-6;
 /** Below this distance the direction to the foot is rounding noise [m]. */
 constexpr double smallestResidual = 1e-5;
+/** Starts are compared by this number of points. */
+constexpr std::size_t mostPointsOfStart = 120;
 /** Keeps directions that no point speaks for as they are. */
 constexpr double damping = 1e-4;
 
@@ -107,6 +109,43 @@ double scoreOf(const MatchingTargets& targets, const std::vector<Point2>& points
 			score += 1 / (1 + target->distanceSqr / (scoreScale * scoreScale));
 	return score;
 }
+/** Gauss-Newton with one scale of the weights, until a step is shorter than `enough` [m, rad]. */
+Alignment descend(const MatchingTargets& targets, const std::vector<Point2>& points, const PlanarPose& start,
+				  const MatchingGate& gate, double scale, double enough, const TMatchingOptions& options)
+{
+	Alignment result;
+	result.pose = start;
+	while (result.steps < options.solverIterations && !result.converged)
+	{
+		result.steps++;
+		const auto step = gaussNewtonStep(targets, points, result.pose, gate, scale, options.matchSides);
+		if (!step) break;
+		const double length = std::hypot(step->x, step->y);
+		if (!std::isfinite(length + step->phi)) break;
+		const double share = length > gate.distance ? gate.distance / length : 1;
+		result.pose.x += share * step->x;
+		result.pose.y += share * step->y;
+		result.pose.phi += share * step->phi;
+		result.converged = length < enough && std::abs(step->phi) < enough;
+	}
+	return result;
+}
+
+/** The same solution, found from two starts. */
+bool agree(const PlanarPose& a, const PlanarPose& b)
+{
+	constexpr double distance = 0.02, angle = 0.005;
+	return std::hypot(a.x - b.x, a.y - b.y) < distance && std::abs(a.phi - b.phi) < angle;
+}
+
+/** Every so many-th point that at most `most` remain. */
+std::vector<Point2> thinned(const std::vector<Point2>& points, std::size_t most)
+{
+	const std::size_t step = std::max<std::size_t>(1, (points.size() + most - 1) / most);
+	std::vector<Point2> few;
+	for (std::size_t i = 0; i < points.size(); i += step) few.push_back(points[i]);
+	return few;
+}
 }  // namespace
 
 MatchingTargets::MatchingTargets(const std::vector<Polyline>& polylines, const std::vector<Point2>& measurements,
@@ -136,39 +175,62 @@ double MatchingGate::at(const Point2& p) const
 Alignment alignToLines(const MatchingTargets& targets, const std::vector<Point2>& points, const PlanarPose& start,
 					   const MatchingGate& gate, const TMatchingOptions& options)
 {
+	const double scale = std::max(options.robustLeast, options.robustShare * gate.distance);
+	return descend(targets, points, start, gate, scale, smallestStep, options);
+}
+
+Alignment alignNarrowing(const MatchingTargets& targets, const std::vector<Point2>& points, const PlanarPose& start,
+						 MatchingGate gate, const TMatchingOptions& options)
+{
+	constexpr double narrower = 0.5, enough = 0.05;
 	Alignment result;
 	result.pose = start;
-	const double scale = std::max(options.robustLeast, options.robustShare * gate.distance);
-	while (result.steps < options.solverIterations && !result.converged)
+	unsigned steps = 0;
+	gate.distance = std::min(gate.distance, gate.greatest);
+	for (bool last = false; !last; gate.distance *= narrower, gate.angular *= narrower)
 	{
-		result.steps++;
-		const auto step = gaussNewtonStep(targets, points, result.pose, gate, scale, options.matchSides);
-		if (!step) break;
-		const double length = std::hypot(step->x, step->y);
-		if (!std::isfinite(length + step->phi)) break;
-		const double share = length > gate.distance ? gate.distance / length : 1;
-		result.pose.x += share * step->x;
-		result.pose.y += share * step->y;
-		result.pose.phi += share * step->phi;
-		result.converged = length < smallestStep && std::abs(step->phi) < smallestStep;
+		const double scale = std::max(options.robustLeast, options.robustShare * gate.distance);
+		last = !(options.robustShare * gate.distance * narrower >= options.robustLeast);
+		result = descend(targets, points, result.pose, gate, scale, enough * scale, options);
+		steps += result.steps;
 	}
+	result.steps = steps;
 	return result;
 }
 
-Alignment alignFromSeveralYaws(const MatchingTargets& targets, const std::vector<Point2>& points,
-							   const PlanarPose& start, const MatchingGate& gate, const TMatchingOptions& options)
+Alignment alignFromSeveralStarts(const MatchingTargets& targets, const std::vector<Point2>& points,
+								 const PlanarPose& start, const MatchingGate& gate, const TMatchingOptions& options)
 {
 	constexpr double degree = 3.14159265358979323846 / 180;
-	Alignment best;
-	for (int turn = 0; turn <= int(2 * options.yawStarts); turn++)
+	const std::vector<Point2> few = thinned(points, mostPointsOfStart);
+	const auto scored = [&](const PlanarPose& from, const MatchingGate& first)
 	{
-		PlanarPose turned = start;
-		turned.phi += (turn % 2 ? 1 : -1) * ((turn + 1) / 2) * options.yawStep * degree;
-		Alignment next = alignToLines(targets, points, turned, gate, options);
-		next.score = scoreOf(targets, points, next.pose, options.matchSides);
-		// A tie between turned starts goes to the smaller turn, which comes first.
-		if (turn == 0 || next.score > best.score * (1 + options.yawMargin)) best = next;
+		Alignment a = alignNarrowing(targets, few, from, first, options);
+		a.score = scoreOf(targets, few, a.pose, options.matchSides);
+		return a;
+	};
+	MatchingGate near = gate;
+	if (gate.distance > options.nearGate)
+	{
+		near.distance = options.nearGate;
+		near.angular *= near.distance / gate.distance;
 	}
+	Alignment best = scored(start, near);
+	const Alignment wide = scored(start, gate);
+	const bool sure = agree(best.pose, wide.pose) && best.score >= options.startShare * double(few.size());
+	// A tie goes to the start that comes first: odometry is right more often than not.
+	const auto compare = [&](const Alignment& next)
+	{
+		if (next.score > best.score * (1 + options.yawMargin)) best = next;
+	};
+	compare(wide);
+	const int turns = sure || gate.distance < options.yawLeastGate ? 0 : int(options.yawStarts);
+	for (int turn = 1; turn <= turns; turn++)
+		for (const int sign : {1, -1})
+			compare(scored({start.x, start.y, start.phi + sign * turn * options.yawStep * degree}, gate));
+	const double score = best.score;
+	best = descend(targets, points, best.pose, gate, options.robustLeast, smallestStep, options);
+	best.score = score;
 	return best;
 }
 

@@ -111,6 +111,8 @@ struct TMatchingOptions : public mrpt::config::CLoadableOptions
 	double robustShare = 0.33;       ///< scale of the robust weights, as a share of the distance the program allows
 	double robustLeast = 0.03;       ///< least scale of the robust weights [m]
 	unsigned solverIterations = 20;  ///< most steps of one solution
+	double nearGate = 0.25;          ///< gate of the first start [m]
+	double startShare = 0.85;        ///< no turned starts if a narrow and a wide gate agree with this share of points
 	unsigned yawStarts = 3;          ///< further starts on each side, turned about the sensor; 0: none
 	double yawStep = 8;              ///< turn from one start to the next [deg]
 	double yawLeastGate = 1;         ///< further starts only while the program allows at least this distance [m]

@@ -93,10 +93,17 @@ struct Alignment
 Alignment alignToLines(const MatchingTargets& targets, const std::vector<Point2>& points, const PlanarPose& start,
 					   const MatchingGate& gate, const TMatchingOptions& options);
 
-/** The same from several starts, turned by multiples of options.yawStep: the start at 0 counts unless another one ends
- * with a score greater by yawMargin. */
-Alignment alignFromSeveralYaws(const MatchingTargets& targets, const std::vector<Point2>& points,
-							   const PlanarPose& start, const MatchingGate& gate, const TMatchingOptions& options);
+/** The same with a gate and weights that become narrower by half from one solution to the next, down to
+ * options.robustLeast: finds from farther away what alignToLines() finds exactly. */
+Alignment alignNarrowing(const MatchingTargets& targets, const std::vector<Point2>& points, const PlanarPose& start,
+						 MatchingGate gate, const TMatchingOptions& options);
+
+/** From a start that may be wrong: with a narrow gate (options.nearGate), with the one given, and, unless these two
+ * agree and their score reaches options.startShare of the number of points, from starts turned by multiples of
+ * options.yawStep, if the gate reaches options.yawLeastGate. An earlier one counts unless a later one ends with a score
+ * greater by yawMargin. Some hundred of the points decide, all of them give the answer. */
+Alignment alignFromSeveralStarts(const MatchingTargets& targets, const std::vector<Point2>& points,
+								 const PlanarPose& start, const MatchingGate& gate, const TMatchingOptions& options);
 
 /** Tells the first call of an alignment from those that follow. Thread-safe; copies start afresh. */
 class AlignmentMemory
