@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <vector>
+#include <memory>
 
 #include "frame.h"
 
@@ -21,7 +21,7 @@ class PlaceSets
 	bool contains(Vec2 p, std::uint32_t bin) const
 	{
 		const int x = index(p.x), y = index(p.y);
-		if (masks_.empty() || x < 0 || y < 0 || x >= side_ || y >= side_) return false;
+		if (!masks_ || x < 0 || y < 0 || x >= side_ || y >= side_) return false;
 		return masks_[std::size_t(y * side_ + x)] >> bin & 1;
 	}
 
@@ -59,14 +59,14 @@ class PlaceSets
 
 	void addSpan(int y, int x0, int x1, std::uint32_t mask)
 	{
-		if (masks_.empty()) masks_.resize(std::size_t(side_ * side_));
-		std::uint16_t* row = masks_.data() + y * side_;
+		if (!masks_) masks_ = std::make_unique<std::uint16_t[]>(std::size_t(side_ * side_));
+		std::uint16_t* row = masks_.get() + y * side_;
 		for (int x = x0; x <= x1; x++) row[x] = std::uint16_t(row[x] | mask);
 	}
 
 	double origin_;
 	int side_;
-	std::vector<std::uint16_t> masks_;  ///< row by row; empty while the sets are
+	std::unique_ptr<std::uint16_t[]> masks_;  ///< row by row; none while the sets are empty
 };
 
 }  // namespace ridgemap
