@@ -69,8 +69,10 @@ TEST(MergeSides, WeighByTheDensities)
 {
 	Options o;
 	o.sigma = 0.1;
-	const Lines merged = SideMerger(o).merge({face(0, 3, 1, [](double) { return 0.03; }, 300),
-											  face(0.5, 2.5, -1, [](double) { return 0.0; }, 100)});
+	const Lines merged = SideMerger(o).merge({face(
+												  0, 3, 1, [](double) { return 0.03; }, 300),
+											  face(
+												  0.5, 2.5, -1, [](double) { return 0.0; }, 100)});
 	ASSERT_EQ(merged.size(), 1u);
 	for (const Point2& p : merged[0]->points)
 	{

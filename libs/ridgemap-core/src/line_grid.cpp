@@ -55,12 +55,54 @@ int LineGrid::slotOf(const LinePtr& line)
 	s.keys = cellsOf(*line);
 	for (const std::uint64_t k : s.keys) cells_[k].push_back(slot);
 	slotOfLine_.emplace(line.get(), slot);
+	forgetBeside(s.keys);
 	return slot;
+}
+
+template <class Visit>
+void LineGrid::visitAround(const std::vector<std::uint64_t>& keys, Visit visit) const
+{
+	for (const std::uint64_t k : keys)
+	{
+		const auto x = std::int64_t(std::int32_t(k >> 32)), y = std::int64_t(std::int32_t(k & 0xffffffffu));
+		for (std::int64_t dy = -1; dy <= 1; dy++)
+			for (std::int64_t dx = -1; dx <= 1; dx++)
+			{
+				const auto cell = cells_.find(cellKey(x + dx, y + dy));
+				if (cell == cells_.end()) continue;
+				for (const int slot : cell->second) visit(slot);
+			}
+	}
+}
+
+void LineGrid::forgetBeside(const std::vector<std::uint64_t>& keys)
+{
+	if (besideAsked_) visitAround(keys, [&](int slot) { slots_[std::size_t(slot)].besideKnown = false; });
+}
+
+const Lines& LineGrid::beside(int number)
+{
+	const int own = slotOfNumber_[std::size_t(number)];
+	Slot& s = slots_[std::size_t(own)];
+	if (s.besideKnown) return s.beside;
+	std::vector<int> slots;
+	visitAround(s.keys,
+				[&](int slot)
+				{
+					if (slot != own) slots.push_back(slot);
+				});
+	std::sort(slots.begin(), slots.end());
+	slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
+	s.beside.clear();
+	for (const int slot : slots) s.beside.push_back(slots_[std::size_t(slot)].line);
+	s.besideKnown = besideAsked_ = true;
+	return s.beside;
 }
 
 void LineGrid::release(int slot)
 {
 	Slot& s = slots_[std::size_t(slot)];
+	forgetBeside(s.keys);
 	for (const std::uint64_t k : s.keys)
 	{
 		const auto cell = cells_.find(k);
@@ -75,9 +117,11 @@ void LineGrid::release(int slot)
 void LineGrid::follow(const Lines& lines)
 {
 	for (Slot& s : slots_) s.present = false;
+	slotOfNumber_.resize(lines.size());
 	for (std::size_t i = 0; i < lines.size(); i++)
 	{
-		Slot& s = slots_[std::size_t(slotOf(lines[i]))];
+		slotOfNumber_[i] = slotOf(lines[i]);
+		Slot& s = slots_[std::size_t(slotOfNumber_[i])];
 		s.number = int(i);
 		s.present = true;
 	}

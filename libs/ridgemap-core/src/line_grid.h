@@ -23,6 +23,10 @@ class LineGrid
 	/** Numbers, in ascending order, of the lines that may pass within a distance of a place; all that do are there. */
 	std::vector<int> near(const Point2& p, double distance) const;
 
+	/** The other lines that may pass within half a cell of a line, given by its number; all that do are there. Looked
+	 * up again only when lines near it have changed. */
+	const Lines& beside(int number);
+
  private:
 	/** A line that is followed; a slot is used again when its line has gone. */
 	struct Slot
@@ -31,15 +35,23 @@ class LineGrid
 		std::vector<std::uint64_t> keys;  ///< cells that it passes
 		int number = 0;
 		bool present = false;
+		Lines beside;
+		bool besideKnown = false;
 	};
 	int slotOf(const LinePtr& line);
 	void release(int slot);
+	/** Slots of the lines in these cells and in those around them, some of them several times. */
+	template <class Visit>
+	void visitAround(const std::vector<std::uint64_t>& keys, Visit visit) const;
+	void forgetBeside(const std::vector<std::uint64_t>& keys);
 	std::uint64_t key(double x, double y) const;
 	std::vector<std::uint64_t> cellsOf(const Polyline& line) const;
 
 	double cell_;
 	std::vector<Slot> slots_;
 	std::vector<int> free_;
+	std::vector<int> slotOfNumber_;
+	bool besideAsked_ = false;  ///< so far nothing needs to be forgotten
 	std::unordered_map<const Polyline*, int> slotOfLine_;
 	std::unordered_map<std::uint64_t, std::vector<int>> cells_;  ///< slots of the lines that pass
 };

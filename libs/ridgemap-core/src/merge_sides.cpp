@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "wall_path.h"
 #include "walls.h"
@@ -74,25 +75,19 @@ Lines SideMerger::merge(const Lines& lines)
 	Lines result;
 	for (std::size_t i = 0; i < lines.size(); i++)
 	{
-		std::vector<int> numbers;
-		const Polyline& line = *lines[i];
-		for (std::size_t k = 0; k < line.points.size(); k++)
-			for (const int n : grid_.near(line.points[k], reach * sigma_))
-				if (n != int(i) && lines[std::size_t(n)]->side != 0) numbers.push_back(n);
-		std::sort(numbers.begin(), numbers.end());
-		numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-		if (numbers.empty() || line.side == 0)
+		Lines near;
+		MemoKey key;
+		key.add(lines[i]);
+		for (const LinePtr& other : grid_.beside(int(i)))
+		{
+			if (other->side == 0) continue;
+			near.push_back(other);
+			key.add(other);
+		}
+		if (near.empty() || lines[i]->side == 0)
 		{
 			result.push_back(lines[i]);
 			continue;
-		}
-		MemoKey key;
-		Lines near;
-		key.add(lines[i]);
-		for (const int n : numbers)
-		{
-			near.push_back(lines[std::size_t(n)]);
-			key.add(near.back());
 		}
 		const Lines& parts = memo_.get(std::move(key), [&] { return merged(lines[i], near); });
 		result.insert(result.end(), parts.begin(), parts.end());
@@ -160,11 +155,13 @@ Lines SideMerger::merged(const LinePtr& line, const Lines& near)
 			for (const std::size_t k : s.doubled) doubled[k] = true;
 		else
 			for (const Shared::Move& m : s.moves)
-				if (m.thickness < thickness[m.vertex])
-				{
-					thickness[m.vertex] = m.thickness;
-					moved.points[m.vertex] = m.to;
-				}
+			{
+				Point2& to = moved.points[m.vertex];
+				const bool tie = m.thickness == thickness[m.vertex] && std::tie(m.to.x, m.to.y) < std::tie(to.x, to.y);
+				if (m.thickness >= thickness[m.vertex] && !tie) continue;
+				thickness[m.vertex] = m.thickness;
+				to = m.to;
+			}
 	}
 	if (!changed) return {line};
 	if (moved.closed) moved.points.back() = moved.points.front();
