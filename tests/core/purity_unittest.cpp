@@ -81,6 +81,7 @@ struct Kind
 	StepRule stepRule = StepRule::error;
 	SeedRule seedRule = SeedRule::projection;
 	std::uint64_t firstSeed;
+	bool sensors = false;  ///< the sensors are known: densities per side, and rays
 };
 std::ostream& operator<<(std::ostream& s, const Kind& k)
 {
@@ -101,6 +102,24 @@ class Purity : public testing::TestWithParam<Kind>
 	}
 };
 
+/** Lets some of the measurements be seen from five places around. */
+void addSensors(RandomScene& scene)
+{
+	Random random(scene.seed + 5000);
+	const Measurement first = scene.measurements.front();
+	std::vector<Point2> sensors;
+	for (int i = 0; i < 5; i++)
+		sensors.push_back(
+			{first.x + scene.sigma * random.uniform(-60, 60), first.y + scene.sigma * random.uniform(-60, 60)});
+	for (Measurement& m : scene.measurements)
+	{
+		if (random.chance(0.1)) continue;
+		const Point2 sensor = sensors[random.below(sensors.size())];
+		m.sensorX = sensor.x;
+		m.sensorY = sensor.y;
+	}
+}
+
 std::string nameOf(const testing::TestParamInfo<Kind>& info)
 {
 	return info.param.name;
@@ -112,7 +131,9 @@ INSTANTIATE_TEST_SUITE_P(Core, Purity,
 										 Kind{"raw", 0, StepRule::error, SeedRule::projection, 200},
 										 Kind{"paperSteps", 0.5, StepRule::paper, SeedRule::projection, 300},
 										 Kind{"maximumSeeds", 0.5, StepRule::error, SeedRule::maximum, 400},
-										 Kind{"rawPaper", 0, StepRule::paper, SeedRule::maximum, 500}),
+										 Kind{"rawPaper", 0, StepRule::paper, SeedRule::maximum, 500},
+										 Kind{"sided", Options().cell, StepRule::error, SeedRule::projection, 700,
+											  true}),
 						 nameOf);
 }  // namespace
 
@@ -126,7 +147,8 @@ TEST_P(Purity, OrderBatchesErasuresMergesAndThreadsLeaveNoTrace)
 	for (int i = 0; i < scenes; i++)
 	{
 		const std::uint64_t seed = GetParam().firstSeed + std::uint64_t(i);
-		const RandomScene scene = randomScene(seed, 2 + i % 3);
+		RandomScene scene = randomScene(seed, 2 + i % 3);
+		if (GetParam().sensors) addSensors(scene);
 		RidgeMap reference(optionsFor(scene));
 		reference.insert(scene.measurements);
 		ASSERT_FALSE(reference.ridges().empty()) << "seed " << seed;

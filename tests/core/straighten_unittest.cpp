@@ -10,6 +10,7 @@
 #include "run_fit.h"
 #include "runs.h"
 #include "scenes.h"
+#include "wall_path.h"
 #include "walls.h"
 
 using namespace ridgemap;
@@ -205,6 +206,40 @@ TEST(Straighten, DoorsStayOpenAndCornersSharp)
 			EXPECT_EQ(map.walls()[0].info[k].origin, VertexOrigin::corner);
 		}
 	}
+}
+
+TEST(Straighten, NoiseIsToldWhereTheWallSupportsIt)
+{
+	// A wall with the same noise all along does; one with three kinds of noise, or one of four vertices, does not.
+	for (int seed = 1; seed <= 5; seed++)
+	{
+		const RidgeMap straight = mapOf(SceneBuilder(std::uint64_t(seed), 1, noise, 60).wall({0, 0}, {40, 0}).finish());
+		ASSERT_EQ(straight.walls().size(), 1u);
+		EXPECT_TRUE(straight.walls()[0].noiseSupported);
+		EXPECT_NEAR(straight.walls()[0].noise, noise, 0.15 * noise);
+
+		Random random{std::uint64_t(seed)};
+		std::vector<Measurement> fan;  // a wall whose noise is 0.1, 0.5 and 1.3 sigma on a third of it each
+		for (int i = 0; i < 12000; i++)
+		{
+			const double x = random.uniform(0, 60);
+			fan.push_back({x, (x < 20 ? 0.1 : x < 40 ? 0.5 : 1.3) * random.normal()});
+		}
+		const RidgeMap spread = mapOf(fan);
+		ASSERT_GE(spread.walls().size(), 1u);
+		EXPECT_FALSE(spread.walls()[0].noiseSupported) << "seed " << seed << ", noise " << spread.walls()[0].noise;
+	}
+	Polyline few;
+	for (int i = 0; i < 4; i++)
+	{
+		few.points.push_back({double(i), 0});
+		few.info.push_back({100, 0.9f, 0.01f, {}, {}});
+	}
+	EXPECT_FALSE(wallNoise(few, 1).supported);
+	few.points.push_back({4, 0});
+	few.info.push_back({100, 0.9f, 0.01f, {}, {}});
+	EXPECT_TRUE(wallNoise(few, 1).supported);
+	EXPECT_NEAR(wallNoise(few, 1).noise, 1.0 / 3, 1e-6);
 }
 
 TEST(Straighten, CanBeSwitchedOff)

@@ -46,15 +46,21 @@ WallNoise wallNoise(const Polyline& line, double sigma)
 	const double se = densityWidth(line, sigma);
 	WallNoise result;
 	result.noise = std::sqrt(std::max(0.0, se * se - sigma * sigma));
-	std::size_t all = 0, agreeing = 0;
-	for (const VertexInfo& v : line.info)
+	// By length, as vertices are closer together where a wall is uneven.
+	std::size_t count = 0;
+	double all = 0, agreeing = 0;
+	for (std::size_t k = 0; k < line.info.size(); k++)
 	{
+		const VertexInfo& v = line.info[k];
 		if (!(v.occupancy > 0 && v.curvature > 0)) continue;
 		const double noise = noiseAcross(double(v.curvature), sigma);
-		all++;
-		agreeing += noise <= 1.5 * result.noise && result.noise <= 1.5 * noise;
+		const double length = (k > 0 ? norm(vertexAt(line, k) - vertexAt(line, k - 1)) : 0) +
+							  (k + 1 < line.info.size() ? norm(vertexAt(line, k + 1) - vertexAt(line, k)) : 0);
+		count++;
+		all += length;
+		if (noise <= 1.5 * result.noise && result.noise <= 1.5 * noise) agreeing += length;
 	}
-	result.supported = result.noise > 0 && all >= 5 && 2 * agreeing >= all;
+	result.supported = result.noise > 0 && count >= 5 && 2 * agreeing >= all;
 	return result;
 }
 

@@ -93,7 +93,7 @@ double densityWidth(const Polyline& line, double sigma);
 struct WallNoise
 {
 	double noise = 0;        ///< median over the vertices [m]
-	bool supported = false;  ///< at least five vertices, half of them within a factor of 1.5 of the median
+	bool supported = false;  ///< at least five vertices, half of the length within a factor of 1.5 of the median
 };
 WallNoise wallNoise(const Polyline& line, double sigma);
 
