@@ -4,18 +4,43 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 usage="usage: scripts/wall_table.sh [DIRECTORY]
-  Simulates rooms with doors, a partition of 0.1 m, a panel without thickness, a recess and two pillars, with exact
+       scripts/wall_table.sh --logs INPUT...
+  The second form builds maps of recorded runs and prints how many ridges and walls they have and how long these are.
+  The first one simulates rooms with doors, a partition of 0.1 m, a panel without thickness, a recess and two pillars, with exact
   poses, builds maps and prints the RMSD of ridges and walls, of walls farther than 0.25 m from corners and near them,
   the share of the seen surface with a wall within 3 cm, and how many lines and vertices the walls have. Files go to
   DIRECTORY (default: wall-output); RIDGEMAP_PROGRAMS names programs that are there already"
 case ${1:-} in --help) printf '%s\n' "$usage" && exit ;; esac
-out=$(realpath -m "${1:-$root/wall-output}")
 bin=${RIDGEMAP_PROGRAMS:-}
 if [ -z "$bin" ]; then
 	build release ridgemap-simulate ridgemap-build ridgemap-eval >"$root/build-walls.log" || die "see build-walls.log"
 	rm -f "$root/build-walls.log"
 	bin="$root/build/bin"
 fi
+
+# lengths <file>: number of polylines, sum and median of their lengths, vertices.
+lengths()
+{
+	awk -F, 'BEGIN { last = -1 } NR > 1 { if ($1 != last) { if (NR > 2) print sum, n; sum = n = 0; last = $1 } else sum += sqrt(($2 - x)^2 + ($3 - y)^2)
+		x = $2; y = $3; n++ } END { print sum, n }' "$1" | sort -g |
+		awk '{ length_[NR] = $1; sum += $1; n += $2 } END { printf "%9d %9.1f %9.2f %9d", NR, sum, length_[int(NR / 2) + 1], n }'
+}
+
+if [ "${1:-}" = --logs ]; then
+	shift
+	scratch=$(mktemp -d)
+	trap 'rm -rf "$scratch"' EXIT
+	printf '%-28s %-7s %9s %9s %9s %9s\n' input lines number "sum m" "median m" vertices
+	for input in "$@"; do
+		"$bin/ridgemap-build" "$input" -o "$scratch/map" -q --formats ridges,walls
+		for lines in ridges walls; do
+			printf '%-28s %-7s %s\n' "$(basename "$input")" "$lines" "$(lengths "$scratch/map_$lines.csv")"
+		done
+	done
+	exit
+fi
+
+out=$(realpath -m "${1:-$root/wall-output}")
 mkdir -p "$out"
 
 cat >"$out/rooms.txt" <<-END

@@ -23,7 +23,8 @@ TEST(ParallelFor, CallsEveryIndexOnce)
 						[&](std::size_t i, std::size_t thread)
 						{
 							calls[i]++;
-							for (std::size_t g = greatestThread; thread > g && !greatestThread.compare_exchange_weak(g, thread);)
+							for (std::size_t g = greatestThread;
+								 thread > g && !greatestThread.compare_exchange_weak(g, thread);)
 							{
 							}
 						});

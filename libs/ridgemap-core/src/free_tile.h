@@ -49,8 +49,14 @@ class CounterTile
 	static constexpr std::int64_t edge = 1 << edgeBits;  ///< in cells
 	static constexpr std::size_t cells = std::size_t(edge * edge);
 
-	static TileKey keyOf(std::int64_t cx, std::int64_t cy) { return {std::int32_t(cx >> edgeBits), std::int32_t(cy >> edgeBits)}; }
-	static std::size_t slot(std::int64_t cx, std::int64_t cy) { return std::size_t((cy & (edge - 1)) * edge + (cx & (edge - 1))); }
+	static TileKey keyOf(std::int64_t cx, std::int64_t cy)
+	{
+		return {std::int32_t(cx >> edgeBits), std::int32_t(cy >> edgeBits)};
+	}
+	static std::size_t slot(std::int64_t cx, std::int64_t cy)
+	{
+		return std::size_t((cy & (edge - 1)) * edge + (cx & (edge - 1)));
+	}
 
 	CounterTile() = default;
 	CounterTile(const CounterTile& o);
