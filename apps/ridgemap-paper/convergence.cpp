@@ -9,8 +9,19 @@ namespace ridgemap::apps
 {
 namespace
 {
-/** Walls, arcs and outliers at random: many junctions, bends and ends. Lengths in metres, sigma 0.1 m. */
-std::vector<Measurement> randomScene(Random& random)
+/** Lets the measurements from a number on be seen from one place. */
+void seeFrom(const Point2& sensor, std::vector<Measurement>& points, std::size_t from)
+{
+	for (std::size_t i = from; i < points.size(); i++)
+	{
+		points[i].sensorX = sensor.x;
+		points[i].sensorY = sensor.y;
+	}
+}
+
+/** Walls, arcs and outliers at random: many junctions, bends and ends. Lengths in metres, sigma 0.1 m.
+ * @param seen whether the measurements of surfaces have a sensor position, one a surface */
+std::vector<Measurement> randomScene(Random& random, bool seen)
 {
 	std::vector<Measurement> points;
 	const double noise = random.uniform(0.01, 0.05);
@@ -19,16 +30,17 @@ std::vector<Measurement> randomScene(Random& random)
 		const Point2 p{random.uniform(0, 12), random.uniform(0, 12)};
 		const double angle = random.uniform(0, 2 * M_PI), length = random.uniform(1, 6);
 		const double density = random.uniform(20, 300);
+		Scene surface;
 		if (random.chance(0.6))
+			surface.surfaces = {{p, {p.x + length * std::cos(angle), p.y + length * std::sin(angle)}}};
+		else
 		{
-			addWall(points, {p, {p.x + length * std::cos(angle), p.y + length * std::sin(angle)}}, density, noise,
-					random);
-			continue;
+			const double radius = random.uniform(0.2, 2), turn = random.uniform(1, 6.2);
+			surface.addArc(p, radius, angle, angle + turn);
 		}
-		Scene arc;
-		const double radius = random.uniform(0.2, 2), turn = random.uniform(1, 6.2);
-		arc.addArc(p, radius, angle, angle + turn);
-		for (const Segment& s : arc.surfaces) addWall(points, s, density, noise, random);
+		const std::size_t before = points.size();
+		for (const Segment& s : surface.surfaces) addWall(points, s, density, noise, random);
+		if (seen) seeFrom({random.uniform(0, 12), random.uniform(0, 12)}, points, before);
 	}
 	for (std::size_t n = random.below(2000); n > 0; n--)
 	{
@@ -57,7 +69,7 @@ Finding convergence(const Setting& setting)
 		Options options;
 		options.sigma = 0.1;
 		RidgeMap map(options);
-		map.insert(randomScene(random));
+		map.insert(randomScene(random, scenes % 2 == 1));
 		const UpdateResult u = map.update();
 		for (std::size_t i = 0; i < u.stops.size(); i++) sum.stops[i] += u.stops[i];
 		sum.traces += u.traces;
@@ -74,7 +86,8 @@ Finding convergence(const Setting& setting)
 	const auto count = [&](StopReason r) { return sum.stops[std::size_t(r)]; };
 	const std::size_t failed = count(StopReason::noConvergence) + count(StopReason::workLimit);
 	f.result = format(
-		"%zu traces in %zu random scenes of walls, arcs and outliers (%.0f m of ridge). Not converged at the smallest "
+		"%zu traces in %zu random scenes of walls, arcs and outliers (%.0f m of ridge), every second one with viewing "
+		"directions. Not converged at the smallest "
 		"step, or stopped by the bound on work: %zu. All others end where the occupancy falls below L_tol, where "
 		"measurements end, where the ridge criterion fails (umbilic points, flat or repelling places), at another "
 		"polyline or at the border of a tile, where the next tile goes on; %zu of them at a place of the border where "

@@ -14,8 +14,7 @@ constexpr double sigma = 0.1;
 
 RidgeMap mapOf(const std::vector<Measurement>& measurements)
 {
-	Options options;
-	options.sigma = sigma;
+	Options options = paperOptions(sigma);
 	RidgeMap map(options);
 	map.insert(measurements);
 	return map;

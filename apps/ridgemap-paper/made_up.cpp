@@ -5,6 +5,14 @@
 
 namespace ridgemap::apps
 {
+Options paperOptions(double sigma)
+{
+	Options options;
+	options.sigma = sigma;
+	options.sides = false;
+	return options;
+}
+
 void addWall(std::vector<Measurement>& points, const Segment& wall, double density, double noise, Random& random)
 {
 	for (std::size_t n = random.poisson(density * wall.length()); n > 0; n--)

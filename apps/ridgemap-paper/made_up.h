@@ -12,6 +12,9 @@
 
 namespace ridgemap::apps
 {
+/** Options with the density of the paper: one for measurements from all viewing directions. */
+Options paperOptions(double sigma);
+
 /** A Poisson process on a wall: `density` measurements per metre, normal noise in x and in y. */
 void addWall(std::vector<Measurement>& points, const Segment& wall, double density, double noise, Random& random);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What outliers do to a map.
 #include "../common/evaluation.h"
+#include "../common/intervals.h"
 #include "experiments.h"
 #include "made_up.h"
 #include "raster.h"
@@ -25,6 +26,14 @@ std::vector<Measurement> withOutliers(const std::vector<Measurement>& good, doub
 	}
 	return points;
 }
+/** Adds the parts of a segment that are within sigma of the truth. */
+void addWithinReach(const Segment& s, const std::vector<Segment>& truth, DistanceSum& sum)
+{
+	std::vector<Interval> parts;
+	for (const Segment& t : truth)
+		if (const auto near = nearSegment(s, t, sigma)) parts.push_back(*near);
+	for (const Interval& part : unite(parts)) sum += integrateDistance(s.at(part.from), s.at(part.to), truth);
+}
 }  // namespace
 
 Finding outlierShares(const Setting& setting)
@@ -44,15 +53,15 @@ Finding outlierShares(const Setting& setting)
 				Random random(setting.seed + 17);
 				const HallwayDrive drive = driveHallway(rate, setting.seed);
 				const std::vector<Measurement> points = withOutliers(drive.all(), share, random);
-				Options options;
-				options.sigma = sigma;
+				Options options = paperOptions(sigma);
 				options.lTol = lTol;
 				RidgeMap map(options);
 				map.insert(points);
 				const Evaluation e = evaluate(map.walls(), drive.truth, {sigma, 1, 0.35});
-				DistanceSum right;  // polylines that lie mostly within reach
-				for (const PolylineEvaluation& p : e.polylines)
-					if (p.hits > 0.5 * p.distance.length) right += p.distance;
+				DistanceSum right;
+				for (const Polyline& p : map.walls())
+					for (std::size_t i = 1; i < p.points.size(); i++)
+						addWithinReach({p.points[i - 1], p.points[i]}, drive.truth, right);
 				const double expected = share * double(points.size()) / (18 * 18) * 2 * M_PI * sigma * sigma;
 				f.table.rows.push_back({double(points.size()), 100 * share, expected, lTol, 100 * e.completeness(),
 										1e3 * right.rmsd(), e.spurious, double(map.walls().size())});
@@ -60,7 +69,7 @@ Finding outlierShares(const Setting& setting)
 				Raster raster(area, 700);
 				raster.dots(pointsOf(points), cv::Scalar(200, 180, 150), 1);
 				for (const Polyline& p : map.walls()) raster.line(p.points, colours::ridge, 2);
-				pictures.push_back(raster.titled(format("%zu k, %.0f %% outliers", points.size() / 1000, 100 * share)));
+				pictures.push_back(raster.titled(format("%zu points, %.0f %% outliers", points.size(), 100 * share)));
 			}
 	writeRow(setting.path("outliers.png"), {pictures.begin(), pictures.begin() + 3}, 2100);
 	writeRow(setting.path("outliers_dense.png"), {pictures.begin() + 3, pictures.end()}, 2100);

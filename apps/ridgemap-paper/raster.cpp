@@ -80,10 +80,10 @@ void Raster::scaleBar(double metres, const std::string& text, bool right, bool b
 	const cv::Size size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, 1, 2, nullptr);
 	const int length = int(std::lround(metres * scale_)), width = std::max(length, size.width), margin = 30;
 	const int left = right ? image_.cols - margin - width : margin, y = bottom ? image_.rows - margin : margin + 50;
-	cv::rectangle(image_, {left - 15, y - 50}, {left + width + 15, y + 18}, colours::white, cv::FILLED);
+	cv::rectangle(image_, {left - 15, y - 56}, {left + width + 15, y + 18}, colours::white, cv::FILLED);
 	const int middle = left + width / 2;
 	cv::line(image_, {middle - length / 2, y}, {middle + length / 2, y}, colours::black, 5);
-	cv::putText(image_, text, {middle - size.width / 2, y - 14}, cv::FONT_HERSHEY_SIMPLEX, 1, colours::black, 2,
+	cv::putText(image_, text, {middle - size.width / 2, y - 20}, cv::FONT_HERSHEY_SIMPLEX, 1, colours::black, 2,
 				cv::LINE_AA);
 }
 

@@ -53,8 +53,7 @@ double countInside(const std::vector<Point2>& points, const std::vector<UpdateRe
 
 void drive(double rate, std::uint64_t seed, std::vector<Update>& updates)
 {
-	Options options;
-	options.sigma = 0.1;
+	Options options = paperOptions(0.1);
 	RidgeMap map(options);
 	std::vector<Point2> points;
 	for (const auto& cycle : driveHallway(rate, seed).cycles)
@@ -88,8 +87,7 @@ void drive(double rate, std::uint64_t seed, std::vector<Update>& updates)
 /** Time per kernel [ms], from above: tracing a wall with so many kernels that all else takes little. */
 double kernelTime(std::uint64_t seed)
 {
-	Options options;
-	options.sigma = 0.1;
+	Options options = paperOptions(0.1);
 	options.cell = 0;
 	Random random(seed);
 	std::vector<Measurement> points;

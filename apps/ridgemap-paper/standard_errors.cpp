@@ -43,8 +43,7 @@ void addWallCoverage(double density, double sigma, std::uint64_t seed, Coverage&
 	std::vector<Measurement> points;
 	const double margin = 6 * sigma, length = 40 * sigma;
 	addWall(points, {{-margin, 0}, {length + margin, 0}}, density, noise, random);
-	Options options;
-	options.sigma = sigma;
+	Options options = paperOptions(sigma);
 	options.eps = sigma / 5000;                         // a chord within eps smooths what chance does on this scale
 	options.straighten = options.correctBends = false;  // of the ridges themselves, without short ones
 	RidgeMap map(options);

@@ -20,8 +20,7 @@ double wallError(double density, std::uint64_t seed)
 	Random random(seed);
 	std::vector<Measurement> points;
 	addWall(points, wall, density, noise, random);
-	Options options;
-	options.sigma = sigma;
+	Options options = paperOptions(sigma);
 	options.eps = sigma / 5000;                         // a chord within eps smooths what chance does on this scale
 	options.straighten = options.correctBends = false;  // of the ridges themselves, without short ones
 	RidgeMap map(options);

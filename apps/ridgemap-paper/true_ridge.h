@@ -17,8 +17,8 @@ struct RidgeFunction
 };
 RidgeFunction ridgeFunction(const OccupancySample& o);
 
-/** Distance of a point to the ridge across it: Newton's method on <grad L, v1> along v1 of the point [m]. Nothing if no
- * ridge is found within 2 sigma. */
+/** Distance of a point to the nearest place of the ridge beside it [m]: Newton's method on <grad L, v1> = 0 for the
+ * foot of the perpendicular. Nothing if no ridge is found within 2 sigma. */
 std::optional<double> distanceToRidge(const RidgeMap& map, const Point2& p);
 
 }  // namespace ridgemap::apps

@@ -126,6 +126,31 @@ TEST(Exactness, EverySampleIsWithinTighterEps)
 	}
 }
 
+TEST(Exactness, SegmentsHideNoS)
+{
+	// Long walls among outliers, in which the ridge crosses a long segment near its middle: these once went beyond eps
+	// on both sides of it.
+	struct Case
+	{
+		std::uint64_t seed;
+		double density, noise, eps;
+	};
+	for (const Case& c :
+		 {Case{16, 1, 0.3, 0.05}, Case{72, 1, 0.7, 0.02}, Case{17, 2, 0.3, 0.02}, Case{39, 4, 0.7, 0.05}})
+	{
+		RandomScene scene{c.seed, 0.1, "long walls among outliers", {}};
+		SceneBuilder builder(c.seed, scene.sigma, c.noise, c.density);
+		builder.wall({0, 0}, {400, 0});
+		for (int k = 0; k < 8; k++) builder.wall({50.0 * k, 0}, {56.0 * k, 0.3});
+		scene.measurements = builder.outliers(std::size_t(400 * c.density), {0, -3}, {400, 3}).finish();
+		Options options = optionsFor(scene);
+		options.eps = c.eps * scene.sigma;
+		RidgeMap map(options);
+		map.insert(scene.measurements);
+		expectWithinEps(map, scene);
+	}
+}
+
 TEST(Exactness, CoverageIsComplete)
 {
 	Coverage total;

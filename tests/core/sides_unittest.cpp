@@ -264,6 +264,38 @@ TEST(Sides, OffOrUnknownTheyChangeNothing)
 	for (const Polyline& line : off.ridges()) EXPECT_EQ(line.side, 0);
 }
 
+TEST(Sides, TracesConverge)
+{
+	// Walls that cross each other, each seen from two places, often along it: there the density turns with the normal.
+	std::size_t traces = 0, lost = 0;
+	for (std::uint64_t seed = 1; seed <= 60; seed++)
+	{
+		Random random(seed);
+		std::vector<Measurement> measurements;
+		for (int view = 0; view < 8; view++)
+		{
+			const Vec2 from{random.uniform(0, 3), random.uniform(0, 3)};
+			const double heading = random.uniform(0, 2 * pi);
+			const Vec2 along{std::cos(heading), std::sin(heading)};
+			const Vec2 sensor{random.uniform(-1, 4), random.uniform(-1, 4)};
+			for (int k = 0; k < 300; k++)
+			{
+				const Vec2 p = from + random.uniform(0, 1.5) * along;
+				measurements.push_back(
+					{p.x + 0.015 * random.normal(), p.y + 0.015 * random.normal(), sensor.x, sensor.y});
+			}
+		}
+		RidgeMap map(optionsOf(true));
+		map.insert(measurements);
+		const UpdateResult r = map.update();
+		traces += r.traces;
+		lost += r.stops[std::size_t(StopReason::noConvergence)] + r.stops[std::size_t(StopReason::workLimit)];
+	}
+	std::cout << lost << " of " << traces << " traces did not converge\n";
+	EXPECT_GT(traces, 1000u);
+	EXPECT_LE(1000 * lost, traces);
+}
+
 TEST(Sides, HistoryLeavesNoTrace)
 {
 	for (std::uint64_t seed = 51; seed <= 54; seed++)

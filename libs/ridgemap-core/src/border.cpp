@@ -16,6 +16,7 @@ constexpr double nearMiss =
 constexpr double rootTolerance = 1e-6;   ///< [sigma]
 constexpr double sameCrossing = 0.01;    ///< found from two sides, one crossing may come out this far apart [sigma]
 constexpr double leastOccupancy = 0.25;  ///< of the next node, in L_tol, below which no ridge can be near
+constexpr double jump = 1e-3;            ///< a crossing that is farther from the ridge than this is none [sigma]
 constexpr int maxSplits = 5;
 
 /** Normals from which ridges are looked for in a sided field: every ridge has one of them within 45 degrees. */
@@ -188,7 +189,8 @@ class SegmentScan
 			((root.f < 0) == (a.f < 0) ? a : b) = root;
 		}
 		const RidgePoint& r = root.r;
-		if (!isRidgeLike(r, options_)) return;
+		// In a sided field, f may also change its sign with a jump, where another normal takes over.
+		if (!isRidgeLike(r, options_) || std::abs(r.f) > jump * norm(r.df)) return;
 		const Vec2 tangent = r.tangent(r.v2);
 		if (r.occupancy >= 0.9 * options_.lTol) quality_ = std::min(quality_, std::abs(cross(tangent, direction_)));
 		if (r.occupancy >= options_.lTol && isSupported(field_, options_, r, tangent))

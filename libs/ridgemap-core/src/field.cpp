@@ -160,14 +160,18 @@ KernelSums FieldPoint::sum(const SideWeights& weights)
 	return sum;
 }
 
-double FieldPoint::turn(Vec2 normal, Vec2 a, Vec2 b)
+FieldTurn FieldPoint::turn(Vec2 normal)
 {
+	const Vec2 a = normal, b = leftNormal(normal);
 	const SideSlopes slopes(normal);
 	const std::uint32_t bins = provide(slopes.of);
-	double sum = 0;
+	FieldTurn sum;
 	for (std::uint32_t bin = 0; bins >> bin != 0; bin++)
 		if (const KernelSums& s = sums_[bin]; bins >> bin & 1)
-			sum += slopes.of[bin] * (s.hxx * a.x * b.x + s.hxy * (a.x * b.y + a.y * b.x) + s.hyy * a.y * b.y);
+		{
+			sum.slope += slopes.of[bin] * (s.gx * a.x + s.gy * a.y);
+			sum.twist += slopes.of[bin] * (s.hxx * a.x * b.x + s.hxy * (a.x * b.y + a.y * b.x) + s.hyy * a.y * b.y);
+		}
 	return sum;
 }
 

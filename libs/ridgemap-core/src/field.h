@@ -154,6 +154,13 @@ class TileField
 	mutable FieldWork work_;
 };
 
+/** How the density changes per radian that the normal of the surface turns to its left. */
+struct FieldTurn
+{
+	double slope = 0;  ///< change of the derivative of L along the normal
+	double twist = 0;  ///< change of the mixed second derivative along the normal and what is left of it
+};
+
 /** A place of a sided field whose density is looked at from one side after the other. What was seen from each direction
  * is interpolated once. */
 class FieldPoint
@@ -164,8 +171,7 @@ class FieldPoint
 	Vec2 place() const { return p_; }
 	/** L and its derivatives for a surface whose normal gives the direction bins these weights. */
 	KernelSums sum(const SideWeights& weights);
-	/** Change of the second derivative along a and b per radian that the normal turns to its left. */
-	double turn(Vec2 normal, Vec2 a, Vec2 b);
+	FieldTurn turn(Vec2 normal);
 
  private:
 	/** Interpolates the bins that weigh something unless that was done before; gives those that are there, as a mask.

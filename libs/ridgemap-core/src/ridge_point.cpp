@@ -23,6 +23,18 @@ Vec2 majorEigenvector(double halfDifference, double xy, double radius)
 	const double y = std::sqrt(0.5 * (1 - c));
 	return {0.5 * xy / (radius * y), y};
 }
+
+/** The density turns with v1: what that adds to the gradient of f. */
+void addTurn(const FieldTurn& turn, RidgePoint& r)
+{
+	const double gap = r.lambda1 - r.lambda2;
+	if ((turn.twist == 0 && turn.slope == 0) || !(gap < 0)) return;
+	r.response = turn.twist / gap;
+	if (!(std::abs(r.response) <= largestResponse)) return;
+	// v1 turns to its left by -T(v1, v2, .)/gap, and the density that turns with it multiplies that.
+	const double k = (dot(r.gradient, leftNormal(r.v1)) + turn.slope) / (gap * (1 - r.response));
+	r.df = {r.lambda1 * r.v1.x - k * r.third.x, r.lambda1 * r.v1.y - k * r.third.y};
+}
 }  // namespace
 
 RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s)
@@ -43,6 +55,7 @@ RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s)
 	const double ty = s.txxy * a.x * b.x + s.txyy * (a.x * b.y + a.y * b.x) + s.tyyy * a.y * b.y;
 	const double gap = r.lambda1 - r.lambda2;
 	const double k = gap < 0 ? dot(r.gradient, b) / gap : 0;
+	r.third = {tx, ty};
 	r.df = {r.lambda1 * a.x + k * tx, r.lambda1 * a.y + k * ty};
 	return r;
 }
@@ -66,8 +79,7 @@ RidgePoint evaluateRidge(FieldPoint& point, Vec2 normal)
 		const SideWeights next(r.v1);
 		if (i == maxIterations || std::abs(cross(r.v1, normal)) < tolerance || next == weights)
 		{
-			const double turn = point.turn(r.v1, r.v1, leftNormal(r.v1));
-			if (turn != 0) r.response = turn / (r.lambda1 - r.lambda2);
+			addTurn(point.turn(r.v1), r);
 			return r;
 		}
 		normal = r.v1;

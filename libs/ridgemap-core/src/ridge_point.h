@@ -21,7 +21,8 @@ struct RidgePoint
 	/** In a sided field: by how much v1 turns per radian that the normal of the density turns. The closer to 1, the
 	 * less the two determine each other. */
 	double response = 0;
-	Vec2 df;  ///< exact gradient of f for a v1 that is carried along continuously
+	Vec2 df;     ///< exact gradient of f for a v1 that is carried along continuously
+	Vec2 third;  ///< T(v1, v2, .): third derivatives, how the Hessian turns v1
 
 	/** Signed distance along `direction` to where f vanishes, to first order. */
 	double newtonStep(Vec2 direction) const { return -f / dot(df, direction); }
@@ -35,7 +36,7 @@ struct RidgePoint
 };
 
 /** Eigenvectors, f and its gradient from the sums at p: equations (5)-(8), and
- * grad f = lambda1 v1 + <g, v2>/(lambda1 - lambda2) T(v1, v2, .). */
+ * grad f = lambda1 v1 + <g, v2>/(lambda1 - lambda2) T(v1, v2, .), for a density that does not turn with v1. */
 RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s);
 
 /** The point with the density of the surface that passes here with a normal near `normal`: in a sided field the normal

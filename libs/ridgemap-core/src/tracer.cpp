@@ -4,6 +4,7 @@
 #include <ridgemap/standard_error.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <limits>
 
 #include "border.h"
@@ -15,9 +16,11 @@ namespace
 {
 constexpr double endResolution = 0.02;  ///< how closely the end of a ridge is approached; least step [sigma]
 constexpr double shortSegment = 0.5;    ///< shorter segments mark a strong bend: check them more densely [sigma]
+constexpr double longSegment = 1;       ///< longer segments can hide an S [sigma]
 constexpr double acceptedShare = 0.7;   ///< share of eps that the estimated error of a segment may use
 constexpr int maxNodes = 4000;
 constexpr int maxRelaxations = 12;
+constexpr int newtonOnly = 4;  ///< relaxations before the secant takes part
 
 /** Deviation of the cubic Hermite curve from its chord of length h, for end slopes m0 and m1. */
 double hermite(double h, double m0, double m1, double t)
@@ -188,7 +191,7 @@ StopReason RidgeTracer::exitReason(const State& state, Vec2 p) const
 RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double reach) const
 {
 	Relaxed result;
-	double moved = 0;
+	double moved = 0, movedBefore = 0, fBefore = 0;
 	for (int i = 0; i < maxRelaxations; i++)
 	{
 		const Vec2 p = x + moved * normal;
@@ -212,6 +215,9 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 		double slope = dot(r.df, normal);
 		const double uphill = r.lambda1 * orientation, share = slope / uphill;
 		if (share < 0.05 && !(share > 0 && std::abs(r.f) < 0.05 * std::abs(slope))) slope = uphill;
+		// Where the derivative changes quickly, as between two sides, Newton's method may go round in circles.
+		const double secant = (r.f - fBefore) / (moved - movedBefore);
+		if (i >= newtonOnly && secant * uphill > 0) slope = secant;
 		const double step = std::max(-0.5, std::min(0.5, -r.f / slope));
 		if (std::abs(r.f) < tolerance_ * std::min(norm(r.df), std::abs(slope)))
 		{
@@ -222,6 +228,8 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 				r.occupancy >= options_.lTol && isRidgeLike(r, options_) && std::abs(dot(r.v1, v1)) > 0.5;
 			return result;
 		}
+		movedBefore = moved;
+		fBefore = r.f;
 		moved += step;
 		if (std::abs(moved) > reach) return result;
 	}
@@ -229,8 +237,9 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 }
 
 /** Estimates the distance between the segment a-b and the ridge: from the end tangents (cubic Hermite), then from f at
- * the middle, and densely where the two disagree or the ridge bends strongly. An infinite error means that the
- * ridge does not follow. */
+ * the middle, and densely where the two disagree or the ridge bends strongly. An S hides from the middle: a long
+ * segment that is not nearly straight is looked at on both sides of it, too. An infinite error means that the ridge
+ * does not follow. */
 RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, const RidgePoint& b, Vec2 tangentB) const
 {
 	const Vec2 chord = b.p - a.p;
@@ -254,12 +263,15 @@ RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, con
 	const double middle = offset(0.5);
 	error = std::max(error, std::abs(middle));
 	const double surprise = std::abs(middle - guess(0.5));
-	if ((surprise > 0.2 * eps_ || h < shortSegment) && error <= limit)
-		for (const double t : {0.25, 0.75, 0.1, 0.9, 0.375, 0.625})
-		{
-			error = std::max(error, std::abs(offset(t)));
-			if (error > limit) break;
-		}
+	const auto lookAt = [&](std::initializer_list<double> places)
+	{
+		for (const double t : places)
+			if (error <= limit) error = std::max(error, std::abs(offset(t)));
+	};
+	if (error <= limit && (surprise > 0.2 * eps_ || h < shortSegment))
+		lookAt({0.25, 0.75, 0.1, 0.9, 0.375, 0.625});
+	else if (error <= limit && h > longSegment && error > 0.5 * limit)
+		lookAt({0.25, 0.75});
 	else
 		error = std::max(error, std::abs(middle) + 0.5 * surprise);
 	return {error <= limit, error};
