@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 
 namespace ridgemap::apps
 {
@@ -99,6 +100,13 @@ std::string humanBytes(double bytes)
 	char text[32];
 	std::snprintf(text, sizeof(text), unit == 0 ? "%.0f %s" : "%.1f %s", bytes, units[unit]);
 	return text;
+}
+
+void printWritten(const std::string& path)
+{
+	std::error_code error;
+	const auto size = std::filesystem::file_size(path, error);
+	std::printf("wrote         %s (%s)\n", path.c_str(), error ? "?" : humanBytes(double(size)).c_str());
 }
 
 }  // namespace ridgemap::apps

@@ -35,4 +35,7 @@ void writeStops(JsonWriter& json, const std::string& key,
 /** A number of bytes for people: `12.3 MB`. */
 std::string humanBytes(double bytes);
 
+/** The line of a summary on the terminal that names a file which was written, and its size. */
+void printWritten(const std::string& path);
+
 }  // namespace ridgemap::apps

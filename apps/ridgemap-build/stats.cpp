@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 #include "../common/json_writer.h"
 #include "../common/map_report.h"
@@ -155,12 +154,7 @@ void printSummary(const CRidgeMap2D& map, const Builder& builder, bool everyScan
 	else
 		std::printf("an insertion takes %.3f ms (median), %.3f ms (99 %%), the polylines at the end %.2f s\n",
 					insertions.median, insertions.p99, 1e-3 * t.sum);
-	for (const std::string& path : outputs.paths())
-	{
-		std::error_code error;
-		const auto size = std::filesystem::file_size(path, error);
-		std::printf("wrote         %s (%s)\n", path.c_str(), error ? "?" : humanBytes(double(size)).c_str());
-	}
+	for (const std::string& path : outputs.paths()) printWritten(path);
 }
 
 }  // namespace ridgemap::apps

@@ -88,9 +88,11 @@ void writeNotes(std::ostream& out, const Report& r)
 			  "Of the processor of one computer, all threads of the program added; what else runs there disturbs "
 			  "caches. Sizes "
 			  "and errors are the same everywhere.");
-	writeNote(out, "Choose a grid where",
-			  "free space must be known from unknown space (planning of paths), people who went away must vanish by "
-			  "themselves, or a scan must be taken in as fast as possible. The ridge map does none of these.");
+	writeNote(
+		out, "Choose a grid where",
+		"free space must be known finely from unknown space (planning of paths), or a scan must be taken in as fast "
+		"as possible. The ridge map counts the rays that passed in cells of 2 sigma: enough to leave out of the "
+		"walls what has gone away, and to tell free from unknown coarsely.");
 	out << "</ul>\n";
 }
 

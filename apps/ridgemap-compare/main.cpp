@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "../common/help_output.h"
+#include "../common/map_report.h"
 #include "../common/number_line.h"
 #include "../common/scene.h"
 #include "../common/user_error.h"
@@ -196,7 +197,8 @@ int run(int argc, char** argv)
 	html.commit();
 	json.commit();
 	printTable(report);
-	std::printf("wrote %s and %s\n", html.path().c_str(), json.path().c_str());
+	printWritten(html.path());
+	printWritten(json.path());
 	return 0;
 }
 

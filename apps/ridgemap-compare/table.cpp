@@ -179,7 +179,10 @@ std::vector<std::string> inShort(const Report& report)
 	say("It is better than some of them in: ", some);
 	say("It is better than none of them in: ", none);
 	say("A map of another kind is the best of all in: ", elsewhere);
-	sentences.push_back("Only a grid knows free space from unknown space, which planning of paths needs.");
+	sentences.push_back(
+		"Grids show free and unknown space in their cells, which planning of paths needs; the ridge map tells them "
+		"apart "
+		"only in cells of 2 sigma.");
 	return sentences;
 }
 

@@ -263,8 +263,7 @@ int run(int argc, char** argv)
 	const PolylineFigures before = figuresOf(map.walls()), after = figuresOf(walls);
 	std::printf("walls         %zu polylines (%zu closed), %zu of %zu vertices, at most %.3f mm off\n", after.polylines,
 				after.closed, after.nodes, before.nodes, deviation * 1000);
-	std::printf("wrote         %s (%s)\n", c->output.c_str(),
-				humanBytes(double(std::filesystem::file_size(c->output))).c_str());
+	printWritten(c->output);
 	return 0;
 }
 

@@ -94,8 +94,7 @@ int run(int argc, char** argv)
 	std::printf("size          %.3f m x %.3f m, %g m per unit of the plan\n", box.max.x - box.min.x,
 				box.max.y - box.min.y, scale);
 	if (plan.leftOut != 0) std::printf("left out      %zu things that are no lines\n", plan.leftOut);
-	std::printf("wrote         %s (%s)\n", c->output.c_str(),
-				humanBytes(double(std::filesystem::file_size(c->output))).c_str());
+	printWritten(c->output);
 	return 0;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "../common/help_output.h"
+#include "../common/map_report.h"
 #include "../common/number_line.h"
 #include "../common/user_error.h"
 #include "experiments.h"
@@ -98,7 +99,7 @@ int run(int argc, char** argv)
 	std::string note = a.note.getValue();
 	if (setting.quick) note += std::string(note.empty() ? "" : " ") + "Quick run: fewer repetitions.";
 	writeReport(setting, findings, note);
-	std::printf("wrote %s\n", setting.path("index.html").c_str());
+	printWritten(setting.path("index.html"));
 	return 0;
 }
 

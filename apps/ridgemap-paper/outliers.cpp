@@ -84,7 +84,8 @@ Finding outlierShares(const Setting& setting)
 		"%.1f "
 		"under a kernel: %.1f %% complete, %.1f m spurious. With %.0f there are %.1f, more than L_tol = 3: %.0f m "
 		"spurious; "
-		"with L_tol = 12, %.1f m. The pictures are for L_tol = 3.",
+		"with L_tol = 12, %.1f m. The pictures are for L_tol = 3. (Walls are shown; where rays passed, as in "
+		"the hallway itself, false ones are left out.)",
 		sparse[0], sparse[2], sparse[4], sparse[6], dense[0], dense[2], dense[6], denseHigh[6]);
 	f.verdict = Verdict::beyond;
 	return f;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
 
+#include "../common/map_report.h"
 #include "../common/user_error.h"
 #include "command_line.h"
 #include "recording.h"
@@ -30,7 +31,7 @@ void printSummary(const Recording& recording, const std::vector<std::string>& fi
 	std::printf("cycles        %zu\n", recording.cycles.size());
 	std::printf("measurements  %zu\n", measurements);
 	std::printf("surface       %.2f m, of which %.2f m in view at some time\n", all, seen);
-	for (const std::string& f : files) std::printf("wrote         %s\n", f.c_str());
+	for (const std::string& f : files) printWritten(f);
 }
 
 int run(int argc, char** argv)
