@@ -50,7 +50,7 @@ Finding constructionFigure(const Setting& setting)
 	const Box2 box{{9.2, 5.5}, {10.5, 6.8}};
 	Raster occupancy(box, 900), function(box, 900), construction(box, 900);
 	shadeOccupancy(occupancy, map, 140);
-	occupancy.dots(pointsOf(drive.all()), colours::dots, 3);
+	occupancy.dots(pointsOf(drive.all()), colours::black, 2.5);
 	shadeRidgeFunction(function, map, 40);
 	shadeOccupancy(construction, map, 200);
 	construction.segments(drive.truth, colours::truth, 3);

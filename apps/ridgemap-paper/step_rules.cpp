@@ -97,8 +97,8 @@ Finding stepRules(const Setting& setting)
 	writeCsv(setting.path("step-rules.csv"), f.table);
 	drawChart(setting, "step-rules",
 			  "set logscale xy\nset xlabel 'evaluations of the occupancy per metre of ridge'\n"
-			  "set ylabel 'distance of segments to the ridge [sigma]'\nset format y '%g'\nset xrange [150:600]\nset "
-			  "xtics (200,250,300,400,500)\n"
+			  "set ylabel 'distance of segments to the ridge [sigma]'\nset format y '%g'\nset xrange [50:600]\nset "
+			  "yrange [0.0005:2]\nset xtics (50,100,200,300,400,500)\n"
 			  "set title 'hallway: accuracy against work'\n"
 			  "plot 'step-rules.csv' u 6:($1==0?$3:1/0) skip 1 w lp pt 7 ps 2 lc rgb '#1f4e9c' t 'error-controlled: "
 			  "maximum', "
