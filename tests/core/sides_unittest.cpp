@@ -6,10 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
+#include <memory>
 
+#include "field.h"
 #include "frame.h"
+#include "lattice.h"
 #include "polylines.h"
 #include "random.h"
+#include "ridge_point.h"
 #include "viewing_direction.h"
 
 namespace ridgemap::test
@@ -94,17 +99,20 @@ double slopeAcross(const std::vector<Measurement>& m, double sigma, Vec2 p, Vec2
 }
 
 /** Distance [sigma] within which the density falls to both sides of p along n: a ridge passes there. 1 if it does not
- * do so within half a sigma. */
+ * do so within half a sigma. Where the normals of several sides are fixed points, one turned from n by up to 0.7 will
+ * do: a ridge may run across its own normal at an angle. */
 double distanceToSidedRidge(const std::vector<Measurement>& m, double sigma, Vec2 p, Vec2 n)
 {
 	for (const double reach :
 		 {0.002, 0.004, 0.006, 0.008, 0.01, 0.012, 0.014, 0.016, 0.018, 0.02, 0.03, 0.05, 0.1, 0.5})
-	{
-		bool isRidge = true;
-		const double before = slopeAcross(m, sigma, p - reach * sigma * n, n, isRidge);
-		const double behind = slopeAcross(m, sigma, p + reach * sigma * n, n, isRidge);
-		if (isRidge && before > 0 && behind < 0) return reach;
-	}
+		for (const double turn : {0.0, 0.35, -0.35, 0.7, -0.7})
+		{
+			const Vec2 start = std::cos(turn) * n + std::sin(turn) * leftNormal(n);
+			bool isRidge = true;
+			const double before = slopeAcross(m, sigma, p - reach * sigma * n, start, isRidge);
+			const double behind = slopeAcross(m, sigma, p + reach * sigma * n, start, isRidge);
+			if (isRidge && before > 0 && behind < 0) return reach;
+		}
 	return 1;
 }
 
@@ -199,6 +207,46 @@ TEST(Sides, RidgesAreThoseOfTheSumOverAllMeasurements)
 	std::cout << "seeds 1-4: " << vertices << " places on ridges, farthest from the true one: " << worst << " sigma\n";
 	EXPECT_GT(vertices, 300);
 	EXPECT_LE(worst, 0.02);  // eps
+}
+
+TEST(Sides, GradientOfTheRidgeFunctionFollowsTheNormal)
+{
+	// Against differences of f, whose normal is found anew at every place: places around the end of a thin wall, where
+	// the density depends on the normal.
+	Options o = optionsOf(true);
+	Lattice lattice(o);
+	lattice.insert(thinWall(61, 0.07, 0.4, 800));
+	lattice.refresh();
+	const double edge = lattice.tiles().tileEdge(), h = 0.01;
+	Random random(6);
+	std::map<TileKey, std::unique_ptr<TileField>> fields;
+	int compared = 0, turned = 0;
+	for (int i = 0; i < 20000; i++)
+	{
+		const double along = random.uniform(-0.15, 0.1), across = random.uniform(-0.1, 0.1),
+					 angle = random.uniform(-3, 3);
+		const Vec2 x{std::cos(0.4), std::sin(0.4)}, y = leftNormal(x);
+		const Vec2 q = Frame(o.sigma).toLattice({along * x.x + across * y.x, along * x.y + across * y.y});
+		const TileKey key{std::int32_t(std::floor(q.x / edge)), std::int32_t(std::floor(q.y / edge))};
+		const auto made = fields.try_emplace(key);
+		if (made.second) made.first->second = std::make_unique<TileField>(lattice.tiles(), key, o);
+		const TileField& field = *made.first->second;
+		const Vec2 p{q.x - edge * key.x, q.y - edge * key.y};
+		const Vec2 start =
+			Frame::rotateToLattice((across > 0 ? 1.0 : -1.0) * (std::cos(angle) * y + std::sin(angle) * x));
+		const RidgePoint r = evaluateRidge(field, p, start);
+		if (!isRidgeLike(r, o) || r.occupancy < 20 || std::abs(r.response) > 0.4) continue;
+		// Some normals are not found: v1 goes to and fro between two.
+		if (norm(evaluateRidge(field, p, r.v1).v1 - r.v1) > 0.01) continue;
+		const auto f = [&](Vec2 d) { return evaluateRidge(field, p + h * d, r.v1).f; };
+		const Vec2 difference{(f({1, 0}) - f({-1, 0})) / (2 * h), (f({0, 1}) - f({0, -1})) / (2 * h)};
+		compared++;
+		turned += std::abs(r.response) > 0.02;
+		EXPECT_LT(norm(difference - r.df), 0.05 * r.occupancy) << along << " " << across << " response " << r.response;
+	}
+	std::cout << compared << " places, " << turned << " of them with a density that turns\n";
+	EXPECT_GT(compared, 500);
+	EXPECT_GT(turned, 100);
 }
 
 TEST(Sides, KeepTheFacesOfAThinWallApart)
