@@ -5,7 +5,7 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 usage="usage: scripts/soak.sh [--minutes N] [--seed N] [--libfuzzer]
-  --minutes N   for each fuzz target (default 10)
+  --minutes N   for each fuzz target (default 10); 20,000 times as many flips, 40 + 20 N scenes
   --seed N      of everything random (default: the time in seconds, which is printed)
   --libfuzzer   build the fuzz targets with clang's libFuzzer and the sanitizers, too, and run these"
 
@@ -28,17 +28,17 @@ done
 
 targets=(states map_file text svg plan)
 say "seed $seed"
-build dev
+build dev ridgemap-mrpt-damage-unittest core_exactness core_purity "${targets[@]/#/fuzz_}"
 bin="$root/build-dev/bin"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
 
 say "flipped bits"
-RIDGEMAP_FLIPS=200000 RIDGEMAP_SEED=$((seed % 1000000)) "$bin/ridgemap-mrpt-damage-unittest" --gtest_filter='DamagedFile.*'
+RIDGEMAP_FLIPS=$((20000 * minutes)) RIDGEMAP_SEED=$((seed % 1000000)) "$bin/ridgemap-mrpt-damage-unittest" --gtest_filter='DamagedFile.*'
 say "random scenes against the oracle"
-RIDGEMAP_SCENES=200 "$bin/core_exactness"
-RIDGEMAP_SCENES=200 "$bin/core_purity"
+RIDGEMAP_SCENES=$((40 + 20 * minutes)) "$bin/core_exactness"
+RIDGEMAP_SCENES=$((40 + 20 * minutes)) "$bin/core_purity"
 
 # Portions with seeds of their own until the time is over; a broken promise ends the script, with the seed printed.
 for target in "${targets[@]}"; do
