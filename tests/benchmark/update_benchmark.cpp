@@ -137,11 +137,11 @@ void spreading(benchmark::State& state)
 
 /** Inserts a scan of `count` measurements into a known hallway and brings the polylines up to date; `elsewhere` and
  * `known` are what the map holds besides. The median is reported. */
-void updates(benchmark::State& state, std::size_t count, std::size_t known, std::size_t elsewhere, bool freeSpace)
+void updates(benchmark::State& state, double sigma, std::size_t count, std::size_t known, std::size_t elsewhere)
 {
 	std::mt19937 random(1);
 	Options options;
-	options.freeSpace = freeSpace;
+	options.sigma = sigma;
 	RidgeMap map(options);
 	map.insert(hallway(random, known));
 	if (elsewhere > 0) map.insert(building(random, 20, elsewhere));
@@ -226,15 +226,19 @@ void registerAll()
 	RegisterBenchmark("evaluation/ridge map", evaluations, false);
 	RegisterBenchmark("evaluation/portable", evaluations, true);
 	RegisterBenchmark("changed cell/ridge map", spreading);
-	const auto update = [](const std::string& name, std::size_t count, std::size_t known, std::size_t elsewhere)
+	// The smoothing of the paper's experiments; walls are 106 sigma long then.
+	const auto update =
+		[](const std::string& name, std::size_t count, std::size_t known, std::size_t elsewhere, double sigma = 0.1)
 	{
-		RegisterBenchmark(name.c_str(), updates, count, known, elsewhere, true)
+		RegisterBenchmark(name.c_str(), updates, sigma, count, known, elsewhere)
 			->UseManualTime()
 			->Iterations(1)
 			->Unit(benchmark::kMicrosecond);
 	};
 	for (const int n : {25, 50, 100, 200, 400, 800, 1600, 3200, 6400})
 		update("update with measurements/" + std::to_string(n), std::size_t(n), 10000, 0);
+	update("finer smoothing/sigma 0.1 m", 400, 10000, 0);
+	update("finer smoothing/sigma 0.05 m", 400, 10000, 0, 0.05);
 	update("flatness/ridge map", 400, 10000, 0);
 	update("flatness/100 times larger elsewhere", 400, 10000, 1000000);
 	update("flatness/100 times longer there", 400, 1000000, 0);
