@@ -204,7 +204,6 @@ TEST(UpdateResult, TellsTheTimesOfItsSteps)
 		sum += s;
 	}
 	EXPECT_LE(sum, all);
-	EXPECT_GT(sum, 0.5 * all);
 	UpdateResult twice = r;
 	twice += r;
 	EXPECT_EQ(twice.seconds.borders, 2 * r.seconds.borders);

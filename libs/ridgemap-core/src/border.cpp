@@ -214,7 +214,10 @@ void keepDifferent(std::vector<Crossing>& crossings)
 	for (const Crossing& c : crossings)
 	{
 		const auto isSame = [&](const Crossing& k)
-		{ return norm(k.p - c.p) < sameCrossing && dot(k.normal, c.normal) > 0.7; };
+		{
+			const double distance = norm(k.p - c.p), cosine = dot(k.normal, c.normal);
+			return (distance < sameCrossing && cosine > 0.7) || (distance < 4 * sameCrossing && cosine > 0.999);
+		};
 		if (std::none_of(kept.begin(), kept.end(), isSame)) kept.push_back(c);
 	}
 	crossings = std::move(kept);

@@ -9,6 +9,10 @@ namespace
 {
 /** Above this the normal and the density of a side do not determine each other well enough. */
 constexpr double largestResponse = 0.5;
+/** A normal is found when v1 is this close to it, and not found when it stays farther away than the second [rad]. */
+constexpr double goodNormal = 1e-3, fairNormal = 0.02;
+/** How often a normal is improved; two are enough on most surfaces. */
+constexpr int mostNormals = 6;
 
 /** Unit eigenvector of the larger eigenvalue of (xx xy; xy yy), by half-angle formulas. */
 Vec2 majorEigenvector(double halfDifference, double xy, double radius)
@@ -62,9 +66,8 @@ RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s)
 
 RidgePoint evaluateRidge(FieldPoint& point, Vec2 normal)
 {
-	constexpr int maxIterations = 6;
-	constexpr double tolerance = 1e-3;  // angle [rad]
 	SideWeights weights(normal);
+	double before = 0;
 	for (int i = 0;; i++)
 	{
 		RidgePoint r = makeRidgePoint(point.place(), point.sum(weights));
@@ -76,14 +79,18 @@ RidgePoint evaluateRidge(FieldPoint& point, Vec2 normal)
 			r.f = -r.f;
 			r.df = -r.df;
 		}
+		const double off = std::abs(cross(normal, r.v1));
 		const SideWeights next(r.v1);
-		if (i == maxIterations || std::abs(cross(r.v1, normal)) < tolerance || next == weights)
+		const bool settled = off < goodNormal || next == weights;
+		if (settled || i == mostNormals || (i > 1 && off > 0.8 * before))
 		{
 			addTurn(point.turn(r.v1), r);
+			if (!settled && off > fairNormal) r.response = std::numeric_limits<double>::infinity();
 			return r;
 		}
 		normal = r.v1;
 		weights = next;
+		before = off;
 	}
 }
 
