@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What ridgemap-export writes is read back by programs that are not ours, and by ridgemap-import.
 #include <gtest/gtest.h>
+#include <mrpt/img/CImage.h>
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/opengl/COpenGLScene.h>
@@ -217,6 +218,18 @@ TEST_F(Export, sceneByMrpt)
 				EXPECT_NEAR(off, 0, 2 * written);
 		}
 	EXPECT_EQ(lines->size(), segment);
+}
+
+TEST_F(Export, pictureByMrpt)
+{
+	mrpt::img::CImage image;
+	ASSERT_TRUE(image.loadFromFile(exported("map.png")));
+	std::size_t drawn = 0;
+	for (std::size_t y = 0; y < image.getHeight(); y++)
+		for (std::size_t x = 0; x < image.getWidth(); x++) drawn += *image.ptr<uint8_t>(int(x), int(y)) < 200;
+	// Thin lines on white: more than the diagonal, and not an area.
+	EXPECT_GT(drawn, image.getWidth());
+	EXPECT_LT(drawn, image.getWidth() * image.getHeight() / 4);
 }
 
 TEST_F(Export, gridByMrpt)
