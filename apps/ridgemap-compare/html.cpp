@@ -150,7 +150,8 @@ void writeHtml(std::ostream& out, const Report& r)
 		<< " scans, smoothing parameter sigma " << r.sigma << " m"
 		<< (r.truth.empty() ? ", no truth" : ", truth from " + escaped(r.truth))
 		<< (r.secondPass.empty() ? "" : ", second pass from " + escaped(r.secondPass))
-		<< ".</p>\n<h2>In short</h2>\n<p>Less is better in all lines; the best is marked.</p>\n";
+		<< ".</p>\n<h2>In short</h2>\n<p>Less is better in all lines"
+		<< (r.truth.empty() ? "" : " but that of completeness") << "; the best is marked.</p>\n";
 	writeShortTable(out, r);
 	out << "<ul>\n";
 	for (const std::string& sentence : inShort(r)) out << "<li>" << escaped(sentence) << "</li>\n";

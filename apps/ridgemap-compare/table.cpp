@@ -26,7 +26,7 @@ void addAccuracy(std::vector<Line>& lines, const Report& r)
 						 [](const Figures& f) { return 1e3 * f.surface.rms; }});
 		lines.push_back({group, "farther off than 10 cm", "%", 2, less, "",
 						 [](const Figures& f) { return 100 * f.surface.beyond; }});
-		lines.push_back({group, "complete within 3 cm", "%", 2, Better::more, "",
+		lines.push_back({group, "complete within 3 cm", "%", 2, Better::more, "completeness of the surface",
 						 [](const Figures& f) { return 100 * f.completeness; }});
 	}
 	if (r.folds > 0)
