@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ridgemap/atomic_file.h>
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 #include <ostream>
@@ -47,6 +48,12 @@ std::string escaped(const std::string& text)
 	return out;
 }
 
+/** Whole numbers in full, others with five digits. */
+std::string cell(double v)
+{
+	return v == std::floor(v) && std::abs(v) < 1e9 ? format("%.0f", v) : format("%.5g", v);
+}
+
 void writeHtmlTable(std::ostream& out, const Table& t)
 {
 	if (t.rows.empty()) return;
@@ -56,7 +63,7 @@ void writeHtmlTable(std::ostream& out, const Table& t)
 	for (const auto& row : t.rows)
 	{
 		out << "<tr>";
-		for (const double v : row) out << "<td>" << format("%.5g", v) << "</td>";
+		for (const double v : row) out << "<td>" << cell(v) << "</td>";
 		out << "</tr>\n";
 	}
 	out << "</table>\n";
@@ -102,7 +109,7 @@ void writeMarkdown(std::ostream& out, const std::vector<Finding>& findings, cons
 		for (const auto& row : f.table.rows)
 		{
 			out << "|";
-			for (const double v : row) out << " " << format("%.5g", v) << " |";
+			for (const double v : row) out << " " << cell(v) << " |";
 			out << "\n";
 		}
 	}
