@@ -79,6 +79,7 @@ mrpt::maps::CSimplePointsMap pointsOfScan(const mrpt::obs::CObservation2DRangeSc
 TEST(Likelihood, AgreesWithTheFormula)
 {
 	CRidgeMap2D map = makeRoomMap();
+	map.likelihoodOptions.pitch = 0;
 	auto scan = scanOfRoom(0.4, 0.2, -0.5, 500);
 	scan.sensorPose = CPose3D(0.1, 0.05, 0.4, 0.2, 0, 0);
 	scan.setScanRangeValidity(20, false);
@@ -93,6 +94,62 @@ TEST(Likelihood, AgreesWithTheFormula)
 		const auto& target = i % 2 ? map.walls() : map.ridges();
 		const double expected = expectedLikelihood(map, target, scan, pose);
 		EXPECT_NEAR(map.computeObservationLikelihood(scan, pose), expected, 1e-6 * std::abs(expected));
+	}
+}
+
+TEST(Likelihood, CellsAreAsNearAsTheirPitch)
+{
+	CRidgeMap2D map = makeRoomMap();
+	const TLikelihoodOptions& o = map.likelihoodOptions;
+	map.likelihoodOptions.decimation = 1;
+	std::mt19937 random(4);
+	std::uniform_real_distribution<double> unit(-1, 1);
+	for (const double pitch : {1.0, 0.25, 0.02})
+		for (int i = 0; i < 300; i++)
+		{
+			// One beam, so that the error of its distance can be told from the value.
+			mrpt::obs::CObservation2DRangeScan beam;
+			beam.resizeScan(1);
+			beam.setScanRange(0, float(1.1 + unit(random)));
+			beam.setScanRangeValidity(0, true);
+			const CPose3D pose(4 * unit(random), 4 * unit(random), 0, 3 * unit(random), 0, 0);
+			const auto end = pose.composePoint({beam.getScanRange(0), 0, 0});
+			const double exact = exhaustiveDistance(map.ridges(), end.x, end.y), off = 0.71 * pitch * 0.05;
+			const auto value = [&](double d)
+			{
+				d = std::clamp(d, 0.0, o.maxDistance);
+				return std::log(o.zRand / o.zMax + o.zHit * std::exp(-d * d / (2 * o.sigmaHit * o.sigmaHit)));
+			};
+			map.likelihoodOptions.pitch = pitch;
+			const double found = map.computeObservationLikelihood(beam, pose);
+			EXPECT_LE(found, value(exact - off) + 1e-5);
+			EXPECT_GE(found, value(exact + off) - 1e-5);
+		}
+}
+
+TEST(Likelihood, OfTheContinuousOccupancy)
+{
+	CRidgeMap2D map = makeRoomMap();
+	map.likelihoodOptions.useOccupancy = true;
+	map.likelihoodOptions.decimation = 1;
+	const TLikelihoodOptions& o = map.likelihoodOptions;
+	const auto scan = scanOfRoom(0.4, 0.2, -0.5);
+	for (const auto& off : {CPose2D(), CPose2D(0.03, 0, 0), CPose2D(0, 0.3, 0.2), CPose2D(50, 0, 0)})
+	{
+		const CPose3D pose(CPose2D(0.4 + off.x(), 0.2 + off.y(), -0.5 + off.phi()));
+		double expected = 0;
+		for (std::size_t i = 0; i < scan.getScanSize(); i++)
+		{
+			const double angle = double(scan.aperture) * (double(i) / double(scan.getScanSize() - 1) - 0.5);
+			const auto end =
+				pose.composePoint({scan.getScanRange(i) * std::cos(angle), scan.getScanRange(i) * std::sin(angle), 0});
+			const double l = map.core().occupancy({end.x, end.y}).value;
+			expected += std::log(o.zRand / o.zMax + o.zHit * l / (l + map.options().lTol));
+		}
+		map.likelihoodOptions.pitch = 0;
+		EXPECT_NEAR(map.computeObservationLikelihood(scan, pose), expected, 1e-4 * std::abs(expected));
+		map.likelihoodOptions.pitch = 0.02;
+		EXPECT_NEAR(map.computeObservationLikelihood(scan, pose), expected, 0.02 * std::abs(expected));
 	}
 }
 

@@ -7,28 +7,44 @@
 #include <cmath>
 #include <vector>
 
+#include "map_state.h"
+
 namespace ridgemap
 {
 namespace
 {
-/** Density of the end of one beam by its distance from the nearest polyline; its logarithm is finite whatever the
- * options. */
+/** Density of the end of one beam; its logarithm is finite whatever the options. */
 class BeamModel
 {
  public:
-	explicit BeamModel(const TLikelihoodOptions& o)
-		: random_(o.zRand / o.zMax), hit_(o.zHit), perVariance_(-0.5 / (o.sigmaHit * o.sigmaHit))
+	BeamModel(const TLikelihoodOptions& o, double lTol)
+		: random_(o.zRand / o.zMax),
+		  hit_(o.zHit),
+		  perVariance_(-0.5 / (o.sigmaHit * o.sigmaHit)),
+		  farthestSqr_(o.maxDistance * o.maxDistance),
+		  lTol_(lTol)
 	{
 	}
 
-	double operator()(double distanceSqr) const
+	/** By its distance from the nearest polyline. */
+	double byDistance(double distanceSqr) const
 	{
-		constexpr double least = 1e-150;
-		return std::clamp(random_ + hit_ * std::exp(perVariance_ * distanceSqr), least, 1 / least);
+		return mixture(std::exp(perVariance_ * std::min(distanceSqr, farthestSqr_)));
 	}
+	/** By the continuous occupancy there [kernels]. */
+	double byOccupancy(double occupancy) const { return mixture(occupancy / (occupancy + lTol_)); }
+	/** Far from all surfaces. */
+	double far(bool occupancy) const { return occupancy ? byOccupancy(0) : byDistance(farthestSqr_); }
 
  private:
-	double random_, hit_, perVariance_;
+	double mixture(double hit) const
+	{
+		constexpr double least = 1e-150;
+		const double density = random_ + hit_ * hit;
+		return density >= least ? std::min(density, 1 / least) : least;
+	}
+
+	double random_, hit_, perVariance_, farthestSqr_, lTol_;
 };
 
 /** Sum of logarithms, as the logarithm of a product as long as that stays in range: logarithms take time. */
@@ -71,6 +87,52 @@ class Rays
  private:
 	Point2 ray_, turn_;
 };
+/** The ends of the beams that count, map frame. */
+void beamEnds(const mrpt::obs::CObservation2DRangeScan& scan, const mrpt::poses::CPose3D& takenFrom,
+			  const TInsertionOptions& insertion, std::size_t step, std::vector<Point2>& ends)
+{
+	const mrpt::poses::CPose3D sensor = takenFrom + scan.sensorPose;
+	const auto& rotation = sensor.getRotationMatrix();
+	const double xx = rotation(0, 0), xy = rotation(0, 1), yx = rotation(1, 0), yy = rotation(1, 1);
+	ends.clear();
+	Rays ray(scan, step);
+	for (std::size_t i = 0; i < scan.getScanSize(); i += step, ++ray)
+	{
+		const double range = scan.getScanRange(i);
+		if (!scan.getScanRangeValidity(i) || !(range >= insertion.minRange && range <= insertion.maxRange)) continue;
+		const Point2& u = *ray;
+		ends.push_back({sensor.x() + range * (xx * u.x + xy * u.y), sensor.y() + range * (yx * u.x + yy * u.y)});
+	}
+}
+
+/** Where the core can be asked: it takes coordinates up to 1e6 m. */
+bool isInReach(const Point2& p)
+{
+	constexpr double farthest = 1e6;
+	return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest;
+}
+
+/** The table of a map's likelihoods by place; null if it is not wanted or the map is too wide. */
+std::shared_ptr<LikelihoodTable> tableFor(const CRidgeMap2D& map, const BeamModel& model, QueryCache& cache)
+{
+	const TLikelihoodOptions& o = map.likelihoodOptions;
+	const double pitch = o.pitch * map.options().sigma;
+	if (!(pitch > 0)) return nullptr;
+	const LikelihoodTable::Settings settings{o.zHit,        o.zRand,          o.zMax, o.sigmaHit,
+											 o.maxDistance, double(o.target), pitch,  double(o.useOccupancy)};
+	const auto build = [&]
+	{
+		Box2 box = map.box();
+		for (const auto& line : o.target == LikelihoodTarget::walls ? map.walls() : map.ridges())
+			for (const Point2& p : line.points) box.extend(p);
+		const double margin = o.useOccupancy ? map.options().cutoff * map.options().sigma : o.maxDistance;
+		box.min = {box.min.x - margin, box.min.y - margin};
+		box.max = {box.max.x + margin, box.max.y + margin};
+		return std::make_shared<LikelihoodTable>(settings, box, pitch, std::log(model.far(o.useOccupancy)));
+	};
+	const auto table = cache.likelihoods(settings, build);
+	return table->usable() ? table : nullptr;
+}
 }  // namespace
 
 bool CRidgeMap2D::internal_canComputeObservationLikelihood(const mrpt::obs::CObservation& obs) const
@@ -84,29 +146,31 @@ double CRidgeMap2D::internal_computeObservationLikelihood(const mrpt::obs::CObse
 	const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&obs);
 	if (!scan) return 0;
 	const TLikelihoodOptions& o = likelihoodOptions;
-	const auto index = o.target == LikelihoodTarget::walls ? wallIndex() : ridgeIndex();
-	const mrpt::poses::CPose3D sensor = takenFrom + scan->sensorPose;
-	const auto& rotation = sensor.getRotationMatrix();
-	const BeamModel model(o);
-	const double farthestSqr = o.maxDistance * o.maxDistance, farBeam = model(farthestSqr);
-	const std::size_t step = std::max(1u, o.decimation);
+	const BeamModel model(o, options().lTol);
 	thread_local std::vector<Point2> ends;
-	thread_local std::vector<double> distancesSqr;
-	ends.clear();
-	Rays ray(*scan, step);
-	for (std::size_t i = 0; i < scan->getScanSize(); i += step, ++ray)
+	beamEnds(*scan, takenFrom, insertionOptions, std::max(1u, o.decimation), ends);
+	const auto index = o.target == LikelihoodTarget::walls ? wallIndex() : ridgeIndex();
+	if (const auto table = tableFor(*this, model, state_->cache))
 	{
-		const double range = scan->getScanRange(i);
-		if (!scan->getScanRangeValidity(i) ||
-			!(range >= insertionOptions.minRange && range <= insertionOptions.maxRange))
-			continue;
-		const Point2& u = *ray;
-		ends.push_back({sensor.x() + range * (rotation(0, 0) * u.x + rotation(0, 1) * u.y),
-						sensor.y() + range * (rotation(1, 0) * u.x + rotation(1, 1) * u.y)});
+		const auto value = [&](const Point2& p)
+		{
+			return std::log(o.useOccupancy ? model.byOccupancy(core().occupancy(p).value)
+										   : model.byDistance(std::pow(index->distance(p, o.maxDistance), 2)));
+		};
+		double sum = 0;
+		for (const Point2& end : ends) sum += table->at(end, value);
+		return sum;
 	}
-	index->distancesSqr(ends, o.maxDistance, distancesSqr);
 	LogSum sum;
-	for (const double d : distancesSqr) sum.add(d < farthestSqr ? model(d) : farBeam);
+	if (o.useOccupancy)
+	{
+		for (const Point2& end : ends)
+			sum.add(isInReach(end) ? model.byOccupancy(core().occupancy(end).value) : model.far(true));
+		return sum.value();
+	}
+	thread_local std::vector<double> distancesSqr;
+	index->distancesSqr(ends, o.maxDistance, distancesSqr);
+	for (const double d : distancesSqr) sum.add(model.byDistance(d));
 	return sum.value();
 }
 

@@ -123,6 +123,10 @@ void visitFields(const TLikelihoodOptions*, O& o, V&& visit)
 	visit(FieldInfo{"maxDistance", "m", "distances to polylines are capped at this", 0, 1e3}, o.maxDistance);
 	visit(FieldInfo{"decimation", "", "one of this number of beams is used", 1, 100000}, o.decimation);
 	visit(FieldInfo{"target", "", "which polylines"}, o.target);
+	visit(FieldInfo{"useOccupancy", "", "the continuous occupancy L at beam ends, L/(L + lTol), not their distance"},
+		  o.useOccupancy);
+	visit(FieldInfo{"pitch", "sigma", "beam ends are looked up in cells with this edge; 0: exact, and slower", 0, 100},
+		  o.pitch);
 }
 
 template <class O, class V>

@@ -8,6 +8,8 @@
 #include <memory>
 #include <mutex>
 
+#include "likelihood_table.h"
+
 namespace ridgemap
 {
 /** What const queries of a map have built, guarded by mutexes. */
@@ -21,6 +23,7 @@ class QueryCache
 		walls_.reset();
 		ridges_.reset();
 		targets_.reset();
+		likelihoods_.reset();
 		points_.reset();
 		pointsOf_.reset();
 	}
@@ -50,6 +53,15 @@ class QueryCache
 		return targets_;
 	}
 
+	/** As targets(). */
+	template <class Build>
+	std::shared_ptr<LikelihoodTable> likelihoods(const LikelihoodTable::Settings& settings, Build&& build)
+	{
+		const std::lock_guard<std::mutex> lock(targetMutex_);
+		if (!likelihoods_ || likelihoods_->settings() != settings) likelihoods_ = build();
+		return likelihoods_;
+	}
+
 	/** The targets as a map of points. */
 	template <class Build>
 	std::shared_ptr<const mrpt::maps::CSimplePointsMap> points(const std::shared_ptr<const MatchingTargets>& targets,
@@ -66,6 +78,7 @@ class QueryCache
 	std::shared_ptr<const PolylineIndex> walls_, ridges_;
 	std::shared_ptr<const MatchingTargets> targets_, pointsOf_;
 	std::shared_ptr<const mrpt::maps::CSimplePointsMap> points_;
+	std::shared_ptr<LikelihoodTable> likelihoods_;
 };
 
 }  // namespace ridgemap

@@ -53,8 +53,9 @@ enum class LikelihoodTarget : std::uint8_t
 	walls = 1    ///< the walls
 };
 
-/** Section `_likelihoodOpts`: beam-end mixture, log(zRand/zMax + zHit*exp(-d^2/(2 sigmaHit^2))) summed over the beams.
- */
+/** Section `_likelihoodOpts`: beam-end mixture, log(zRand/zMax + zHit*hit) summed over the beams, with
+ * hit = exp(-d^2/(2 sigmaHit^2)) of the distance d to the nearest polyline, or L/(L + lTol) of the continuous occupancy
+ * L at the end of the beam. */
 struct TLikelihoodOptions : public mrpt::config::CLoadableOptions
 {
 	double zHit = 0.95;                                  ///< weight of beams that end on a polyline
@@ -64,6 +65,10 @@ struct TLikelihoodOptions : public mrpt::config::CLoadableOptions
 	double maxDistance = 0.3;                            ///< distances to polylines are capped at this [m]
 	unsigned decimation = 10;                            ///< one of this number of beams is used
 	LikelihoodTarget target = LikelihoodTarget::ridges;  ///< which polylines
+	bool useOccupancy = false;                           ///< the continuous occupancy instead of the distance
+	/** Beam ends are looked up in square cells with this edge [sigma], so distances are off by up to 0.71 of it; 0:
+	 * exact, and several times slower. */
+	double pitch = 0.25;
 
 	/** Throws std::invalid_argument with name, value and range of the first field that is off. */
 	void validate() const;
