@@ -172,6 +172,27 @@ TEST(FreeCut, AGapBelowTwoSigmaIsNotCut)
 	}
 }
 
+TEST(FreeCut, AWallIsNotShortenedWhereRaysPassBesideItsEnd)
+{
+	const Options options;
+	const Polyline line = lineAt(0, -2, 2, 5);
+	for (const double beyond : {0.0, 6.0})
+	{
+		FreeSpace space(options);
+		// Rays through a door; cells and window carry them over the last stretch of the wall.
+		const double from = 2 - beyond * options.sigma;
+		space.insert(curtain(from, 4, 0.007));
+		std::vector<Polyline> removed;
+		const auto kept = cutFree({line}, space, options, &removed);
+		ASSERT_EQ(kept.size(), 1u);
+		if (beyond < 2)
+			EXPECT_EQ(kept[0].points.back(), line.points.back());
+		else
+			EXPECT_NEAR(kept[0].points.back().x, from, 3 * options.sigma);
+		EXPECT_EQ(removed.size(), beyond < 2 ? 0u : 1u);
+	}
+}
+
 TEST(FreeCut, AClosedLineHasNoBeginning)
 {
 	Options options;

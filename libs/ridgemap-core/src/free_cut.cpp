@@ -12,7 +12,7 @@ namespace ridgemap
 namespace
 {
 constexpr double spacing = 0.5;    ///< of samples along a line, at most [sigma]
-constexpr double shortestCut = 2;  ///< shorter stretches between stretches that stay are kept [sigma]
+constexpr double shortestCut = 2;  ///< shorter stretches beside stretches that stay are kept [sigma]
 
 /** Hits and passes at one place of a line. */
 struct Evidence
@@ -148,27 +148,22 @@ class SampledLine
 	std::vector<Evidence> evidence_;
 };
 
-/** Gives back what is too short to be left out. On a closed line, runs go on over the seam. */
+/** Gives back what is too short to be left out: between stretches that stay and at the ends of lines, where the density
+ * falls to half while rays pass beside a wall that ends at a door. On a closed line, runs go on over the seam. */
 void keepShortRuns(std::vector<char>& stays, double step, double shortest, bool closed)
 {
 	const std::size_t n = stays.size();
 	std::size_t first = 0;
 	while (first < n && !stays[first]) first++;
 	if (first == n) return;
-	const std::size_t end = closed ? first + n : n;
-	for (std::size_t i = first; i < end;)
+	const std::size_t begin = closed ? first : 0, end = begin + n;
+	for (std::size_t i = begin; i < end;)
 	{
-		if (stays[i % n])
-		{
-			i++;
-			continue;
-		}
 		std::size_t last = i;
 		while (last < end && !stays[last % n]) last++;
-		const bool between = closed || last < end;
-		if (between && double(last - i) * step < shortest)
+		if (double(last - i) * step < shortest)
 			for (std::size_t k = i; k < last; k++) stays[k % n] = 1;
-		i = last;
+		i = std::max(last, i + 1);
 	}
 }
 

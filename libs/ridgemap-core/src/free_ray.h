@@ -75,7 +75,7 @@ class RayWalk
 	/** Where the ray enters a column, in 2^-32 quanta above row0_. */
 	std::int64_t position(std::int64_t column) const
 	{
-		const std::int64_t u = std::max(u0_, std::min(u1_, column << cellBits));
+		const std::int64_t u = std::max(u0_, std::min(u1_, column * LatticeRay::quantaPerCell));
 		return v0_ + (u - u0_) * slope_;
 	}
 
