@@ -312,6 +312,27 @@ TEST(Sides, OffOrUnknownTheyChangeNothing)
 	for (const Polyline& line : off.ridges()) EXPECT_EQ(line.side, 0);
 }
 
+TEST(Sides, WhatWasSeenFromUnknownPlacesIsThereOnce)
+{
+	// A ring, in a map in which something else is known to be seen from one side.
+	std::vector<Measurement> measurements;
+	for (int i = 0; i < 400; i++)
+	{
+		Measurement m;
+		m.x = 4 + 0.5 * std::cos(i * pi / 200);
+		m.y = 10 + 0.5 * std::sin(i * pi / 200);
+		measurements.push_back(m);
+	}
+	Random random(1);
+	addFace(measurements, random, {3, 2}, {1, 2}, 0.01, 300);
+	RidgeMap map(optionsOf(true));
+	map.insert(measurements);
+	std::size_t rings = 0;
+	for (const Polyline& line : map.walls()) rings += line.closed ? 1 : 0;
+	EXPECT_EQ(rings, 1u);
+	EXPECT_EQ(map.walls().size(), 2u);
+}
+
 TEST(Sides, TracesConverge)
 {
 	// Walls that cross each other, each seen from two places, often along it: there the density turns with the normal.

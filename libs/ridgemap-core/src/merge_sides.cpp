@@ -33,8 +33,11 @@ bool isLonger(const Polyline& a, const Polyline& b)
 {
 	const double lengthA = a.length(), lengthB = b.length();
 	if (lengthA != lengthB) return lengthA > lengthB;
-	const Point2 &p = a.points.front(), &q = b.points.front();
-	return p.x != q.x ? p.x < q.x : p.y < q.y;
+	// What was seen from unknown places gives the same line twice, once for each side.
+	if (a.side != b.side) return a.side > b.side;
+	return std::lexicographical_compare(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(),
+										[](const Point2& p, const Point2& q)
+										{ return p.x != q.x ? p.x < q.x : p.y < q.y; });
 }
 
 /** Unit vector at a vertex to where the line was seen from. */
