@@ -26,8 +26,7 @@ class Course
 			samples_.push_back({p_ + off * Vec2{-std::sin(angle_), std::cos(angle_)}, spacing * double(samples_.size()),
 								error * error});
 			const double middle = angle_ + 0.5 * spacing * curvature;
-			const double chord =
-				curvature == 0 ? spacing : 2 / curvature * std::sin(0.5 * spacing * curvature);
+			const double chord = curvature == 0 ? spacing : 2 / curvature * std::sin(0.5 * spacing * curvature);
 			p_ = p_ + chord * Vec2{std::cos(middle), std::sin(middle)};
 			angle_ += spacing * curvature;
 		}
@@ -77,7 +76,8 @@ TEST(Runs, ACircleIsAnArcUnlessItBendsTooMuch)
 
 TEST(Runs, ABendThatTheErrorsExplainIsALine)
 {
-	// A sagitta of 1/8 * 0.004 * 10^2 = 0.05 is five errors of one sample; with errors ten times as large it is nothing.
+	// A sagitta of 1/8 * 0.004 * 10^2 = 0.05 is five errors of one sample; with errors ten times as large it is
+	// nothing.
 	auto samples = Course().piece(100, 0.004).samples();
 	EXPECT_EQ(shapesOf(findRuns(samples, {})), Shapes{WallShape::arc});
 	for (WallSample& s : samples) s.variance *= 100;

@@ -13,7 +13,8 @@ LikelihoodTable::LikelihoodTable(const Settings& settings, const Box2& box, doub
 	  outside_(float(outside))  // as cells give it, so that it does not matter on which side of the border a beam ends
 {
 	constexpr double mostBlocks = 1 << 22;
-	const double columns = std::ceil((box.max.x - box.min.x) / pitch), rows = std::ceil((box.max.y - box.min.y) / pitch);
+	const double columns = std::ceil((box.max.x - box.min.x) / pitch),
+				 rows = std::ceil((box.max.y - box.min.y) / pitch);
 	if (box.empty() || !((columns / blockEdge + 1) * (rows / blockEdge + 1) <= mostBlocks)) return;
 	columns_ = columns;
 	rows_ = rows;

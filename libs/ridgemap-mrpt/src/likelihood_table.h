@@ -14,8 +14,8 @@
 
 namespace ridgemap
 {
-/** Logarithms of the density of beam ends over square cells of the plane, each that of its centre, made when it is first
- * asked for. The particles of a filter ask for the same cells again and again.
+/** Logarithms of the density of beam ends over square cells of the plane, each that of its centre, made when it is
+ * first asked for. The particles of a filter ask for the same cells again and again.
  *
  * Thread-safe, without a lock but for the first query of a block: all threads make the same value. */
 class LikelihoodTable
