@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <set>
@@ -308,6 +309,25 @@ TEST(Update, WorkDoesNotGrowWithTheMap)
 	EXPECT_EQ(a.evaluations, b.evaluations);
 	EXPECT_EQ(a.kernels, b.kernels);
 	EXPECT_EQ(a.tiles, b.tiles);
+}
+
+TEST(StepRule, OfThePaperTakesItsLongestStepsWhereNothingBends)
+{
+	// Nodes need no correction there, so none is put between two of them.
+	Options options;
+	options.stepRule = StepRule::paper;
+	RidgeMap map(options);
+	map.insert(exactWall({0, 0}, {3, 0.2}, 0.002));
+	ASSERT_EQ(map.ridges().size(), 1u);
+	const std::vector<Point2>& p = map.ridges()[0].points;
+	std::size_t longest = 0;
+	for (std::size_t k = 1; k < p.size(); k++)
+	{
+		const double step = std::hypot(p[k].x - p[k - 1].x, p[k].y - p[k - 1].y) / options.sigma;
+		EXPECT_LE(step, 1.001 * options.maxStep);
+		longest += step > 0.99 * options.maxStep;
+	}
+	EXPECT_GT(longest, 10u);
 }
 
 TEST(StepRule, OfThePaperIsLessExact)
