@@ -231,7 +231,12 @@ RidgeTracer::Relaxed RidgeTracer::relax(Vec2 x, Vec2 normal, Vec2 v1, double rea
 		movedBefore = moved;
 		fBefore = r.f;
 		moved += step;
-		if (std::abs(moved) > reach) return result;
+		if (std::abs(moved) > reach)
+		{
+			// No ridge goes on here, as beside an umbilic point that turns it away.
+			result.reason = StopReason::notARidge;
+			return result;
+		}
 	}
 	return result;
 }
