@@ -113,9 +113,10 @@ TEST(Exactness, EverySampleIsWithinEpsWithMaximumSeeds)
 
 TEST(Exactness, EverySampleIsWithinTighterEps)
 {
-	for (int i = 0; i < sceneCount(5); i++)
+	// In scene 4030 a ridge bends before its end more than the default least step can follow.
+	for (int i = -1; i < sceneCount(5); i++)
 	{
-		const RandomScene scene = randomScene(4000 + std::uint64_t(i));
+		const RandomScene scene = randomScene(i < 0 ? 4030 : 4000 + std::uint64_t(i));
 		Options options = optionsFor(scene);
 		options.cell = 0.125;
 		options.cutoff = 7;

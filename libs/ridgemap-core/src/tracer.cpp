@@ -14,10 +14,9 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double endResolution = 0.02;  ///< how closely the end of a ridge is approached; least step [sigma]
-constexpr double shortSegment = 0.5;    ///< shorter segments mark a strong bend: check them more densely [sigma]
-constexpr double longSegment = 1;       ///< longer segments can hide an S [sigma]
-constexpr double acceptedShare = 0.7;   ///< share of eps that the estimated error of a segment may use
+constexpr double shortSegment = 0.5;   ///< shorter segments mark a strong bend: check them more densely [sigma]
+constexpr double longSegment = 1;      ///< longer segments can hide an S [sigma]
+constexpr double acceptedShare = 0.7;  ///< share of eps that the estimated error of a segment may use
 constexpr int maxNodes = 4000;
 constexpr int maxRelaxations = 12;
 constexpr int newtonOnly = 4;  ///< relaxations before the secant takes part
@@ -45,6 +44,7 @@ RidgeTracer::RidgeTracer(const TileField& field, TileBorder& border, const Optio
 	: field_(field), border_(border), options_(options), pieces_(pieces), eps_(options.effectiveEps() / options.sigma)
 {
 	tolerance_ = std::max(1e-5, std::min(1e-3, 0.05 * eps_));
+	leastStep_ = std::min(0.02, eps_);
 }
 
 RidgeNode RidgeTracer::node(const RidgePoint& r) const
@@ -74,23 +74,23 @@ RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) con
 			reason = step.exits ? StopReason::unregisteredExit : step.next.reason;
 			if (reason == StopReason::belowThreshold) ahead = h;
 			h *= 0.5;
-			if (h >= endResolution) continue;
+			if (h >= leastStep_) continue;
 			if (step.exits) reason = exitReason(state, step.exit);
 			break;
 		}
 		const RidgePoint& next = step.next.point;
 		const Vec2 tangent = next.tangent(next.p - state.point.p);
 		const Verdict verdict = verify(state.point, state.tangent, next, tangent);
-		if (!verdict.accepted && h > endResolution && options_.stepRule == StepRule::error)
+		if (!verdict.accepted && h > leastStep_ && options_.stepRule == StepRule::error)
 		{
-			h = std::max(endResolution, h * std::max(0.25, std::min(0.7, std::sqrt(0.5 * eps_ / verdict.error))));
+			h = std::max(leastStep_, h * std::max(0.25, std::min(0.7, std::sqrt(0.5 * eps_ / verdict.error))));
 			continue;
 		}
 		if (!verdict.accepted && !std::isfinite(verdict.error))
 		{
 			reason = StopReason::notARidge;
 			h *= 0.5;
-			if (h < endResolution) break;
+			if (h < leastStep_) break;
 			continue;
 		}
 		if (!step.port && onPolyline(next.p, tangent, next.v1))
@@ -127,12 +127,12 @@ RidgeTracer::Walk RidgeTracer::walk(const RidgePoint& start, Vec2 direction) con
 			break;
 		}
 		ahead -= length;
-		if (ahead < endResolution)
+		if (ahead < leastStep_)
 		{
 			reason = StopReason::belowThreshold;
 			break;
 		}
-		h = std::min({nextStep(h, step.next, verdict), options_.maxStep, std::max(endResolution, 0.6 * ahead)});
+		h = std::min({nextStep(h, step.next, verdict), options_.maxStep, std::max(leastStep_, 0.6 * ahead)});
 	}
 	walk.end.reason = reason;
 	return walk;
@@ -178,7 +178,7 @@ void RidgeTracer::finishAtBorder(const State& state, double h, Vec2 outside, Pro
 /** Why a ridge that leaves the tile at p has no crossing there. */
 StopReason RidgeTracer::exitReason(const State& state, Vec2 p) const
 {
-	for (const double beyond : {0.0, endResolution})  // it may also end right behind
+	for (const double beyond : {0.0, leastStep_})  // it may also end right behind
 	{
 		const Relaxed there =
 			relax(p + beyond * state.tangent, leftNormal(state.tangent), state.point.v1, shortSegment);
@@ -249,7 +249,7 @@ RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, con
 {
 	const Vec2 chord = b.p - a.p;
 	const double h = norm(chord);
-	if (h < endResolution) return {true, 0};
+	if (h < leastStep_) return {true, 0};
 	const Vec2 along = (1 / h) * chord, normal = leftNormal(along);
 	const double ca = dot(tangentA, along), cb = dot(tangentB, along);
 	const double none = std::numeric_limits<double>::infinity();
@@ -294,7 +294,7 @@ double RidgeTracer::nextStep(double h, const Relaxed& relaxed, const Verdict& ve
 		return relaxed.distance > 0.75 ? 0.5 * h : relaxed.distance < 0.25 ? 2 * h : h;
 	const double aim = 0.6 * acceptedShare * eps_;
 	const double factor = std::sqrt(aim / std::max(verdict.error, 0.05 * aim));
-	return std::max(endResolution, h * std::max(0.5, std::min(2.0, factor)));
+	return std::max(leastStep_, h * std::max(0.5, std::min(2.0, factor)));
 }
 
 bool RidgeTracer::closesLoop(const State& state, const RidgePoint& next) const

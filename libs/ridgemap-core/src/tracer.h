@@ -96,6 +96,9 @@ class RidgeTracer
 	const std::vector<Piece>& pieces_;
 	double eps_;        ///< [sigma]
 	double tolerance_;  ///< of the relaxation [sigma]
+	/** How closely the end of a ridge is approached, too. At most eps: no point of so short a segment is farther than
+	 * that from its ends [sigma]. */
+	double leastStep_;
 };
 
 }  // namespace ridgemap
