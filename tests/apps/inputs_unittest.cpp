@@ -175,14 +175,13 @@ TEST(Inputs, pointsInEveryNotation)
 	};
 	writeFile(dir / "b.txt", "# a comment\n\nx y\n" + replaced(" ") + "# the end\n");
 	writeFile(dir / "c.xyz", replaced(";\t"));
-	writeFile(dir / "d.csv", "x;y;sx;sy\r\n");
 	std::string four = "x,y,sensor_x,sensor_y\r\n";
 	std::istringstream lines(points);
 	for (std::string line; std::getline(lines, line);) four += line + ",0.5,-2\r\n";
 	writeFile(dir / "d.csv", four);
 	for (const char* name : {"b.txt", "c.xyz", "d.csv"})
 	{
-		build({dir / name}, dir / "other");
+		build({dir / name, "--set", "sides=off", "--set", "freeSpace=off"}, dir / "other");
 		EXPECT_EQ(readFile(dir / "a_walls.csv"), readFile(dir / "other_walls.csv")) << name;
 		EXPECT_EQ(readFile(dir / "a_measurements.csv"), readFile(dir / "other_measurements.csv")) << name;
 	}
