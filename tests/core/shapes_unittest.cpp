@@ -267,4 +267,47 @@ TEST(ParallelWalls, CloserThanTwiceTheSmoothingAreOneLineInTheMiddle)
 	EXPECT_EQ(noisy.walls().size(), 1u);
 }
 
+TEST(Switches, AttachJoinsTheStemOfAT)
+{
+	const auto measurements = exactWall({-30, 0}, {30, 0}, 0.05) + exactWall({0, 0.05}, {0, 30}, 0.05);
+	Options off = unitOptions();
+	off.attach = false;
+	const RidgeMap with = mapOf(measurements), without = mapOf(measurements, off);
+	EXPECT_EQ(freeEnds(with.walls()), 3u);
+	EXPECT_GT(freeEnds(without.walls()), 3u) << "the ridge of the stem ends before the bar";
+	EXPECT_EQ(firstDifference(with.ridges(), without.ridges()), "");
+}
+
+TEST(Switches, PruneLeavesOutWhatIsShort)
+{
+	const auto measurements = exactWall({-30, 0}, {30, 0}, 0.05) + exactWall({0, 20}, {2, 20}, 0.05);
+	Options off = unitOptions();
+	off.prune = false;
+	const RidgeMap with = mapOf(measurements), without = mapOf(measurements, off);
+	EXPECT_EQ(with.walls().size(), 1u);
+	EXPECT_EQ(without.walls().size(), 2u);
+	EXPECT_EQ(firstDifference(with.ridges(), without.ridges()), "");
+	Options shorter = unitOptions();
+	shorter.pruneLength = 1;
+	EXPECT_EQ(mapOf(measurements, shorter).walls().size(), 2u);
+}
+
+TEST(Switches, MinCurvatureLeavesOutWhatIsFlat)
+{
+	// A band with a standard deviation of 5: -lambda1/L is 1/(1 + 25) on its middle line.
+	std::vector<Measurement> band;
+	for (int k = -60; k <= 60; k++)
+	{
+		const int n = int(std::lround(20 * std::exp(-0.5 * std::pow(0.25 * k / 5, 2))));
+		for (int i = -160; i <= 160; i++) band.insert(band.end(), std::size_t(n), Measurement{0.25 * i, 0.25 * k});
+	}
+	Options all = unitOptions(), curved = unitOptions();
+	all.minCurvature = 0.03;
+	curved.minCurvature = 0.05;
+	const RidgeMap flat = mapOf(band, all), none = mapOf(band, curved);
+	EXPECT_LT(largestGap(flat.walls(), {-30, 0}, {30, 0}), 0.05);
+	EXPECT_GT(largestGap(none.walls(), {-30, 0}, {30, 0}), 2);
+	EXPECT_EQ(firstDifference(flat.ridges(), none.ridges()), "");
+}
+
 }  // namespace ridgemap::test
