@@ -53,15 +53,19 @@ double trueRadius(double ridgeRadius, double sigma)
 {
 	// R/r = I1/I0(R r/sigma^2), in units of sigma; r by Newton's method with a bracket.
 	const double ridge = ridgeRadius / sigma;
-	double low = ridge, high = ridge + 2;
-	for (int step = 0; step < 45; step++)
+	double low = ridge, high = ridge + 2, radius = ridge + 0.5 / (ridge + 0.5);
+	for (int step = 0; step < 60; step++)
 	{
-		const double middle = 0.5 * (low + high);
-		if (!(middle > low && middle < high)) break;
+		const double z = ridge * radius, ratio = besselRatio(z), excess = radius * ratio - ridge;
 		// The ridge of a circle of this radius would lie farther out: the circle is smaller.
-		(middle * besselRatio(ridge * middle) > ridge ? high : low) = middle;
+		(excess > 0 ? high : low) = radius;
+		double next = radius - excess / (ratio + z * (1 - ratio / z - ratio * ratio));
+		if (!(next > low && next < high)) next = 0.5 * (low + high);
+		const double moved = std::abs(next - radius);
+		radius = next;
+		if (moved < 1e-13 * radius) break;
 	}
-	return sigma * 0.5 * (low + high);
+	return sigma * radius;
 }
 
 double bendCorrection(const FittedCurve& arc, double sigma)
