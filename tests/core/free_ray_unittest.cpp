@@ -11,6 +11,7 @@
 
 #include "free_ray.h"
 #include "random.h"
+#include "ray_cells.h"
 
 namespace ridgemap::test
 {
@@ -119,7 +120,7 @@ TEST(FreeRay, ReversedRaysPassTheSameCells)
 	}
 }
 
-TEST(FreeRay, PiecesOfAWalkAreThoseOfTheWhole)
+TEST(FreeRay, ColumnsFollowFromEachOther)
 {
 	Random random(4);
 	for (int i = 0; i < 2000; i++)
@@ -129,19 +130,16 @@ TEST(FreeRay, PiecesOfAWalkAreThoseOfTheWhole)
 		LatticeRay r;
 		r.from = {coordinate(), coordinate()};
 		r.to = {coordinate(), coordinate()};
+		if (random.chance(0.1)) r.to.v = r.from.v + (random.chance(0.5) ? 1 : -1) * (r.to.u - r.from.u);
 		const RayWalk walk(r);
-		std::int64_t entering = walk.rowAt(walk.firstColumn());
-		for (std::int64_t first = walk.firstColumn(), last; first <= walk.lastColumn(); first = last + 1)
+		auto [fraction, perColumn] = walk.fractionAt(walk.firstColumn() + 1);
+		for (std::int64_t column = walk.firstColumn() + 1; column < walk.lastColumn(); column++)
 		{
-			last = std::min(walk.lastColumn(), first + std::int64_t(random.below(40)));
-			walk.forEachColumn(first, last,
-							   [&](std::int64_t, std::int64_t row, std::int64_t leaving)
-							   {
-								   ASSERT_EQ(row, entering);
-								   ASSERT_TRUE(leaving == row || leaving == row + walk.rowStep());
-								   entering = leaving;
-							   });
-			ASSERT_EQ(entering, walk.rowAt(last + 1));
+			fraction += perColumn;
+			const std::int64_t row = walk.rowAt(column), leaving = walk.rowAt(column + 1);
+			ASSERT_EQ(leaving, fraction < perColumn ? row + walk.rowStep() : row);
+			if (leaving == row) continue;
+			ASSERT_EQ(walk.columnLeavingFor(leaving), column);
 		}
 	}
 }

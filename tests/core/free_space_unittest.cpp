@@ -9,6 +9,8 @@
 #include "free_cut.h"
 #include "free_space.h"
 #include "random.h"
+#include "ray_cells.h"
+#include "ray_counter.h"
 
 namespace ridgemap::test
 {
@@ -57,6 +59,39 @@ TEST(FreeSpace, CountsEveryRayOnce)
 	EXPECT_GT(expected.size(), 5000u);
 	EXPECT_TRUE(space.cells() == expected);
 	EXPECT_EQ(space.cellCount(), expected.size());
+}
+
+TEST(FreeSpace, EveryStretchOfARayCountsAsItsWalkSays)
+{
+	Random random(7);
+	for (int i = 0; i < 3000; i++)
+	{
+		// Multiples of eighths of a cell make diagonals, rays along borders and through corners common.
+		const double reach = random.chance(0.3) ? 2e4 : 3e6;
+		const std::int64_t grain = random.chance(0.5) ? 1 : LatticeRay::quantaPerCell >> random.below(4);
+		const auto coordinate = [&] { return std::int64_t(random.uniform(-reach, reach)) / grain * grain; };
+		LatticeRay r;
+		r.from = {coordinate(), coordinate()};
+		r.to = {random.chance(0.1) ? r.from.u : coordinate(), random.chance(0.1) ? r.from.v : coordinate()};
+		if (random.chance(0.2)) r.to.v = r.from.v + (random.chance(0.5) ? 1 : -1) * (r.to.u - r.from.u);
+		if (r.from.u == r.to.u && r.from.v == r.to.v) continue;
+		r.a = 3;
+		r.b = -5;
+		CounterTiles tiles;
+		RayCounter(tiles).count({r, r}, 1);
+		std::size_t used = 0, walked = 0;
+		for (const auto& entry : tiles) used += entry.second->used();
+		forEachCell(r,
+					[&](std::int64_t cx, std::int64_t cy)
+					{
+						const auto found = tiles.find(CounterTile::keyOf(cx, cy));
+						ASSERT_TRUE(found != tiles.end());
+						ASSERT_TRUE((found->second->sums(CounterTile::slot(cx, cy)) == PassSums{2, 6, -10}))
+							<< r.from.u << "," << r.from.v << " to " << r.to.u << "," << r.to.v;
+						walked++;
+					});
+		ASSERT_EQ(used, walked);
+	}
 }
 
 TEST(FreeSpace, CentresAreThoseOfTheCellsThatManyRaysPassed)

@@ -43,6 +43,14 @@ RayWalk::RayWalk(const LatticeRay& ray)
 	slope_ = floorDiv((to.v - from.v) * (std::int64_t(1) << fractionBits), to.u - from.u);
 }
 
+std::int64_t RayWalk::columnLeavingFor(std::int64_t row) const
+{
+	// The least way along the longer axis after which the ray is in that row.
+	const std::int64_t border = ((slope_ < 0 ? row + 1 : row) - row0_) * (std::int64_t(1) << rowBits) - v0_;
+	const std::int64_t way = slope_ < 0 ? -border / -slope_ + 1 : (border + slope_ - 1) / slope_;
+	return ((u0_ + way + LatticeRay::quantaPerCell - 1) >> cellBits) - 1;
+}
+
 std::optional<LatticeRay> makeRay(const Frame& frame, const FreeRay& ray, double margin)
 {
 	if (std::isnan(ray.sensorX) || std::isnan(ray.sensorY)) return std::nullopt;

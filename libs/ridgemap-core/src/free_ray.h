@@ -31,9 +31,9 @@ struct LatticeRay
 std::optional<LatticeRay> makeRay(const Frame& frame, const FreeRay& ray, double margin);
 
 /** A ray as a walk along its longer axis: the rows (columns, for rays that are steeper than 45 degrees) of cells in
- * which it enters and leaves every column. Positions come from one slope in units of 2^-32, so that each follows from
- * the one before by one addition; they lie below the true ones by less than a tenth of a quantum. A ray and its reverse
- * have the same walk. */
+ * which it enters and leaves every column. It enters a column in rowAt(column) and leaves it in rowAt(column + 1),
+ * which is the same row or the next one by rowStep(): these are its cells. Positions come from one slope in units of
+ * 2^-32; they lie below the true ones by less than a tenth of a quantum. A ray and its reverse have the same walk. */
 class RayWalk
 {
  public:
@@ -46,25 +46,32 @@ class RayWalk
 	/** +1 or -1: where the rows of later columns lie, if not in the same row. */
 	std::int64_t rowStep() const { return slope_ < 0 ? -1 : 1; }
 	/** The row in which the ray enters a column of the walk, or starts; that of its end for lastColumn() + 1. */
-	std::int64_t rowAt(std::int64_t column) const { return row0_ + (position(column) >> rowBits); }
-
-	/** Calls fn(column, row, leaving) for columns of the walk: the ray enters in `row` and leaves in `leaving`, which
-	 * is the same or the next one by rowStep(). */
-	template <class Fn>
-	void forEachColumn(std::int64_t first, std::int64_t last, Fn fn) const
+	std::int64_t rowAt(std::int64_t column) const
 	{
-		// Copies, because fn may write to memory that could be this object, as far as a compiler can tell.
-		const std::int64_t row0 = row0_, end = rowAt(last + 1), perColumn = slope_ * LatticeRay::quantaPerCell;
-		std::int64_t row = rowAt(first), next = position(first + 1);
-		for (std::int64_t column = first; column < last; column++)
-		{
-			const std::int64_t leaving = row0 + (next >> rowBits);
-			fn(column, row, leaving);
-			row = leaving;
-			next += perColumn;
-		}
-		fn(last, row, end);
+		const std::int64_t u = std::max(u0_, std::min(u1_, column * LatticeRay::quantaPerCell));
+		return row0_ + ((v0_ + (u - u0_) * slope_) >> rowBits);
 	}
+
+	/** A walk over whole columns, from one to the next by an addition: the row changes where the sum overflows. */
+	struct Fraction
+	{
+		std::uint64_t value = 0;      ///< of a row, in 2^-64, counted in the direction of rowStep()
+		std::uint64_t perColumn = 0;  ///< at most a row
+	};
+	/** Where the ray enters a column behind its first one. */
+	Fraction fractionAt(std::int64_t column) const
+	{
+		const std::uint64_t value = std::uint64_t(v0_ + (column * LatticeRay::quantaPerCell - u0_) * slope_)
+									<< (64 - rowBits);
+		const std::uint64_t slope = std::uint64_t(slope_ < 0 ? -slope_ : slope_);
+		// 64 bits do not hold a whole row a column. With all bits set below those of a position, the largest number
+		// they hold overflows every time as well, for the 2^19 columns to come, and nothing else does that did not.
+		const std::uint64_t perColumn = slope >> fractionBits ? ~std::uint64_t(0) : slope << (64 - fractionBits);
+		constexpr std::uint64_t below = (std::uint64_t(1) << (64 - rowBits)) - 1;
+		return {slope_ < 0 ? ~value : value | below, perColumn};
+	}
+	/** The column behind the first one in which the ray leaves for rows from `row` on, by rowStep(); it must do so. */
+	std::int64_t columnLeavingFor(std::int64_t row) const;
 
  private:
 	static constexpr int cellBits = 13;
@@ -72,32 +79,11 @@ class RayWalk
 	static constexpr int rowBits = cellBits + fractionBits;
 	static_assert(LatticeRay::quantaPerCell == std::int64_t(1) << cellBits);
 
-	/** Where the ray enters a column, in 2^-32 quanta above row0_. */
-	std::int64_t position(std::int64_t column) const
-	{
-		const std::int64_t u = std::max(u0_, std::min(u1_, column * LatticeRay::quantaPerCell));
-		return v0_ + (u - u0_) * slope_;
-	}
-
 	bool steep_;
 	std::int64_t u0_, u1_;  ///< along the longer axis, u0 <= u1
 	std::int64_t row0_;     ///< the row at u0
 	std::int64_t v0_;       ///< at u0, in 2^-32 quanta above row0_
 	std::int64_t slope_;    ///< in 2^-32, at most 1
 };
-
-/** Calls fn(cx, cy) once for all cells of the walk of a ray. */
-template <class Fn>
-void forEachCell(const LatticeRay& ray, Fn fn)
-{
-	const RayWalk walk(ray);
-	const auto visit = [&](std::int64_t column, std::int64_t row) { walk.steep() ? fn(row, column) : fn(column, row); };
-	walk.forEachColumn(walk.firstColumn(), walk.lastColumn(),
-					   [&](std::int64_t column, std::int64_t row, std::int64_t leaving)
-					   {
-						   visit(column, row);
-						   if (leaving != row) visit(column, leaving);
-					   });
-}
 
 }  // namespace ridgemap

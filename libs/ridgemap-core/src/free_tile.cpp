@@ -29,7 +29,7 @@ CounterTile::CounterTile(const CounterTile& o)
 
 PassSums CounterTile::sums(std::size_t i) const
 {
-	PassSums s = unpack(packed_[i]);
+	PassSums s = unpack(packed_[i + edge]);
 	if (wide_)
 	{
 		const PassSums& w = (*wide_)[i];
@@ -43,7 +43,7 @@ void CounterTile::set(std::size_t i, const PassSums& s)
 	const bool small = isSmall(s);
 	if (!small && !wide_) wide_ = std::make_unique<std::array<PassSums, cells>>();
 	if (wide_) (*wide_)[i] = small ? PassSums{} : s;
-	packed_[i] = small ? pack(s) : 0;
+	packed_[i + edge] = small ? pack(s) : 0;
 	if (small) bound_ = std::max(bound_, std::uint32_t(smallRays));
 }
 

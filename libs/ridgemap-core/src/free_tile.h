@@ -69,11 +69,12 @@ class CounterTile
 	/** Makes room for up to maxReserved more rays through each cell, put in or taken out. */
 	void reserve(std::uint32_t rays);
 	static constexpr std::uint32_t maxReserved = 1 << 14;
-	/** The packed sums of the cells, to be changed as reserve() allows. */
-	PackedSums* packed() { return packed_.data(); }
+	/** The packed sums of the cells, to be changed as reserve() allows; nothing may be added to `edge` numbers before
+	 * and behind them but zero. */
+	PackedSums* packed() { return packed_.data() + edge; }
 
  private:
-	std::array<PackedSums, cells> packed_{};
+	std::array<PackedSums, cells + 2 * edge> packed_{};
 	std::unique_ptr<std::array<PassSums, cells>> wide_;
 	std::uint32_t bound_ = 0;  ///< so many rays, at most, made each of the packed sums
 };

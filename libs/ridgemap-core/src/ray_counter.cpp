@@ -21,48 +21,63 @@ PackedSums* RayCounter::find(TileKey key)
 }
 
 template <bool steep>
-void RayCounter::count(RayWalk walk, PackedSums sums)
+inline PackedSums* RayCounter::cellAt(std::int64_t column, std::int64_t row)
+{
+	const std::int64_t cx = steep ? row : column, cy = steep ? column : row;
+	return cellsOf(CounterTile::keyOf(cx, cy)) + CounterTile::slot(cx, cy);
+}
+
+template <bool steep>
+inline void RayCounter::countColumn(std::int64_t column, std::int64_t row, std::int64_t leaving, PackedSums sums)
+{
+	*cellAt<steep>(column, row) += sums;
+	if (leaving != row) *cellAt<steep>(column, leaving) += sums;
+}
+
+template <bool steep>
+inline void RayCounter::countInTile(const RayWalk& walk, std::int64_t first, std::int64_t end, std::int64_t row,
+									PackedSums sums)
 {
 	constexpr std::int64_t edge = CounterTile::edge, along = steep ? edge : 1, across = steep ? 1 : edge;
-	const auto tileAtRow = [&](std::int64_t column, std::int64_t row)
-	{ return cellsOf(steep ? CounterTile::keyOf(row, column) : CounterTile::keyOf(column, row)); };
-	const auto place = [](std::int64_t column, std::int64_t row)
-	{ return (column & (edge - 1)) * along + (row & (edge - 1)) * across; };
-	std::int64_t entering = walk.rowAt(walk.firstColumn());
-	for (std::int64_t first = walk.firstColumn(), last; first <= walk.lastColumn(); first = last + 1)
+	const std::int64_t beside = walk.rowStep() * across;
+	PackedSums* cell = cellAt<steep>(first, row);
+	auto [fraction, perColumn] = walk.fractionAt(first);
+	for (std::int64_t i = first; i < end; i++)
 	{
-		last = std::min(walk.lastColumn(), first | (edge - 1));
-		const std::int64_t leaving = walk.rowAt(last + 1);
-		PackedSums* const tile = tileAtRow(first, entering);
-		if ((entering & -edge) == (leaving & -edge))
-		{
-			PackedSums* cell = tile + place(first, entering);
-			const std::int64_t beside = walk.rowStep() * across;
-			walk.forEachColumn(first, last,
-							   [=](std::int64_t, std::int64_t row, std::int64_t next) mutable
-							   {
-								   // Without a branch, which could not be predicted.
-								   const std::int64_t changes = -std::int64_t(next != row);
-								   *cell += sums;
-								   cell += beside & changes;
-								   *cell += sums & PackedSums(changes);
-								   cell += along;
-							   });
-		}
+		// Without a branch, which could not be predicted: where the row stays, zero is added beside it.
+		fraction += perColumn;
+		const PackedSums leaves = -PackedSums(fraction < perColumn);
+		*cell += sums;
+		cell[beside] += sums & leaves;
+		cell += along + (beside & std::int64_t(leaves));
+	}
+}
+
+template <bool steep>
+void RayCounter::count(const RayWalk& walk, PackedSums sums)
+{
+	constexpr std::int64_t edge = CounterTile::edge;
+	const std::int64_t begin = walk.firstColumn(), end = walk.lastColumn();
+	std::int64_t row = walk.rowAt(begin + 1);
+	countColumn<steep>(begin, walk.rowAt(begin), row, sums);
+	if (begin == end) return;
+	for (std::int64_t first = begin + 1, next; first < end; first = next)
+	{
+		next = std::min(end, (first | (edge - 1)) + 1);
+		const std::int64_t leaving = walk.rowAt(next);
+		if ((row & -edge) == (leaving & -edge))
+			countInTile<steep>(walk, first, next, row, sums);
 		else
 		{
-			PackedSums* const other = tileAtRow(first, leaving);
-			walk.forEachColumn(first, last,
-							   [=](std::int64_t column, std::int64_t row, std::int64_t next)
-							   {
-								   const auto tileOf = [&](std::int64_t r)
-								   { return (r & edge) == (entering & edge) ? tile : other; };
-								   tileOf(row)[place(column, row)] += sums;
-								   tileOf(next)[place(column, next)] += sums & -PackedSums(next != row);
-							   });
+			const std::int64_t border = walk.rowStep() > 0 ? leaving & -edge : leaving | (edge - 1);
+			const std::int64_t crossing = walk.columnLeavingFor(border);
+			if (first < crossing) countInTile<steep>(walk, first, crossing, row, sums);
+			countColumn<steep>(crossing, border - walk.rowStep(), border, sums);
+			if (crossing + 1 < next) countInTile<steep>(walk, crossing + 1, next, border, sums);
 		}
-		entering = leaving;
+		row = leaving;
 	}
+	countColumn<steep>(end, row, walk.rowAt(end + 1), sums);
 }
 
 void RayCounter::count(const std::vector<LatticeRay>& rays, int sign)

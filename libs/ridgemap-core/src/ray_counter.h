@@ -10,8 +10,8 @@
 
 namespace ridgemap
 {
-/** Counts rays into tiles, a strip of columns of one tile at a time: within a strip a ray passes two tiles at most, and
- * its cells are counted without lookups and without branches. */
+/** Counts rays into tiles. Within a strip of columns of one tile a ray passes two tiles at most: the cells before and
+ * behind the column where it goes from one to the other are counted without lookups and without branches. */
 class RayCounter
 {
  public:
@@ -25,7 +25,15 @@ class RayCounter
 
  private:
 	template <bool steep>
-	void count(RayWalk walk, PackedSums sums);
+	void count(const RayWalk& walk, PackedSums sums);
+	/** The one or two cells of a column. */
+	template <bool steep>
+	void countColumn(std::int64_t column, std::int64_t row, std::int64_t leaving, PackedSums sums);
+	/** The cells of columns from `first` to before `end`, which the ray enters in `row`, all in one tile. */
+	template <bool steep>
+	void countInTile(const RayWalk& walk, std::int64_t first, std::int64_t end, std::int64_t row, PackedSums sums);
+	template <bool steep>
+	PackedSums* cellAt(std::int64_t column, std::int64_t row);
 	PackedSums* cellsOf(TileKey key);
 	PackedSums* find(TileKey key);
 
