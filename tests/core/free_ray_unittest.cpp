@@ -154,7 +154,7 @@ TEST(FreeRay, EndsBeforeTheMarginAndKnowsItsDirection)
 		const FreeRay ray{random.uniform(-50, 50), random.uniform(-50, 50), random.uniform(-50, 50),
 						  random.uniform(-50, 50)};
 		const double dx = ray.x - ray.sensorX, dy = ray.y - ray.sensorY, length = std::hypot(dx, dy);
-		const auto r = makeRay(frame, ray, margin);
+		const auto r = RayMaker(frame, margin).make(ray);
 		ASSERT_EQ(r.has_value(), length > margin * sigma) << length;
 		if (!r) continue;
 		const double t = 1 - margin * sigma / length;
@@ -170,25 +170,50 @@ TEST(FreeRay, EndsBeforeTheMarginAndKnowsItsDirection)
 	}
 }
 
+TEST(FreeRay, OneMakerMakesTheRaysOfManySensors)
+{
+	const Frame frame(0.05);
+	const double nan = std::nan("");
+	RayMaker maker(frame, 2.5);
+	Random random(6);
+	FreeRay ray{1, 2, 3, 4};
+	for (int i = 0; i < 2000; i++)
+	{
+		if (random.chance(0.3)) ray.sensorX = random.chance(0.2) ? nan : random.uniform(-9, 9);
+		if (random.chance(0.3)) ray.sensorY = random.chance(0.2) ? nan : random.uniform(-9, 9);
+		ray.x = random.uniform(-9, 9);
+		ray.y = random.uniform(-9, 9);
+		const auto one = RayMaker(frame, 2.5).make(ray), again = maker.make(ray);
+		ASSERT_EQ(one.has_value(), again.has_value());
+		if (!one) continue;
+		ASSERT_EQ(one->from.u, again->from.u);
+		ASSERT_EQ(one->from.v, again->from.v);
+		ASSERT_EQ(one->to.u, again->to.u);
+		ASSERT_EQ(one->to.v, again->to.v);
+		ASSERT_EQ(one->a, again->a);
+		ASSERT_EQ(one->b, again->b);
+	}
+}
+
 TEST(FreeRay, SensorsThatAreNotKnownOrTooNearCastNone)
 {
 	const Frame frame(0.05);
 	const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
-	EXPECT_FALSE(makeRay(frame, {nan, nan, 1, 2}, 2.5));
-	EXPECT_FALSE(makeRay(frame, {nan, 0, 1, 2}, 2.5));
-	EXPECT_FALSE(makeRay(frame, {1, 2, 1, 2}, 2.5));
-	EXPECT_FALSE(makeRay(frame, {1, 2, 1, 2}, 0));
-	EXPECT_FALSE(makeRay(frame, {1, 2, 1.1, 2}, 2.5));
+	EXPECT_FALSE(RayMaker(frame, 2.5).make({nan, nan, 1, 2}));
+	EXPECT_FALSE(RayMaker(frame, 2.5).make({nan, 0, 1, 2}));
+	EXPECT_FALSE(RayMaker(frame, 2.5).make({1, 2, 1, 2}));
+	EXPECT_FALSE(RayMaker(frame, 0).make({1, 2, 1, 2}));
+	EXPECT_FALSE(RayMaker(frame, 2.5).make({1, 2, 1.1, 2}));
 	for (const FreeRay& r :
 		 {FreeRay{infinite, 0, 1, 2}, FreeRay{0, -1.1e6, 1, 2}, FreeRay{0, 0, infinite, 2}, FreeRay{0, 0, 1, nan}})
-		EXPECT_THROW(makeRay(frame, r, 2.5), std::invalid_argument);
+		EXPECT_THROW(RayMaker(frame, 2.5).make(r), std::invalid_argument);
 }
 
 TEST(FreeRay, LongRaysAreCountedUpToTheLimit)
 {
 	const double sigma = 1e-3;
 	const Frame frame(sigma);
-	const auto r = makeRay(frame, {-1e6, -1e6, 1e6, 1e6}, 2.5);
+	const auto r = RayMaker(frame, 2.5).make({-1e6, -1e6, 1e6, 1e6});
 	ASSERT_TRUE(r);
 	const double du = double(r->to.u - r->from.u), dv = double(r->to.v - r->from.v);
 	EXPECT_NEAR(std::hypot(du, dv) / 4096, maxRayLength, 1);

@@ -32,8 +32,9 @@ std::vector<Measurement> randomMeasurements(Random& random, std::size_t count)
 std::vector<FreeCellRecord> bruteForce(const std::vector<Measurement>& measurements, const Options& options)
 {
 	std::map<std::pair<std::int64_t, std::int64_t>, FreeCellRecord> cells;
+	RayMaker maker(Frame(options.sigma), options.freeSpaceMargin);
 	for (const Measurement& m : measurements)
-		if (const auto ray = makeRay(Frame(options.sigma), {m.sensorX, m.sensorY, m.x, m.y}, options.freeSpaceMargin))
+		if (const auto ray = maker.make({m.sensorX, m.sensorY, m.x, m.y}))
 			forEachCell(*ray,
 						[&](std::int64_t cx, std::int64_t cy)
 						{

@@ -51,20 +51,27 @@ std::int64_t RayWalk::columnLeavingFor(std::int64_t row) const
 	return ((u0_ + way + LatticeRay::quantaPerCell - 1) >> cellBits) - 1;
 }
 
-std::optional<LatticeRay> makeRay(const Frame& frame, const FreeRay& ray, double margin)
+std::optional<LatticeRay> RayMaker::make(const FreeRay& ray)
 {
-	if (std::isnan(ray.sensorX) || std::isnan(ray.sensorY)) return std::nullopt;
-	for (const double v : {ray.sensorX, ray.sensorY, ray.x, ray.y})
-		if (!(std::abs(v) <= maxCoordinate)) rejectRay(ray);
-	const double scale = double(LatticeRay::quantaPerSigma);
-	const Vec2 s = frame.toLattice({ray.sensorX, ray.sensorY}), e = frame.toLattice({ray.x, ray.y});
-	const Vec2 d = e - s;
+	const auto outside = [](double v) { return !(std::abs(v) <= maxCoordinate); };
+	constexpr double scale = double(LatticeRay::quantaPerSigma);
+	if (!sensor_ || !(ray.sensorX == sensorX_ && ray.sensorY == sensorY_))
+	{
+		if (std::isnan(ray.sensorX) || std::isnan(ray.sensorY)) return std::nullopt;
+		if (outside(ray.sensorX) || outside(ray.sensorY)) rejectRay(ray);
+		sensorX_ = ray.sensorX;
+		sensorY_ = ray.sensorY;
+		sensor_ = frame_.toLattice({sensorX_, sensorY_});
+		from_ = {rounded(sensor_->x * scale), rounded(sensor_->y * scale)};
+	}
+	if (outside(ray.x) || outside(ray.y)) rejectRay(ray);
+	const Vec2 d = frame_.toLattice({ray.x, ray.y}) - *sensor_;
 	const double length = norm(d);
-	const double counted = std::min(length - margin, maxRayLength);
+	const double counted = std::min(length - margin_, maxRayLength);
 	if (!(counted > 0)) return std::nullopt;
-	const Vec2 last = s + (counted / length) * d;
+	const Vec2 last = *sensor_ + (counted / length) * d;
 	LatticeRay result;
-	result.from = {rounded(s.x * scale), rounded(s.y * scale)};
+	result.from = from_;
 	result.to = {rounded(last.x * scale), rounded(last.y * scale)};
 	if (result.from.u == result.to.u && result.from.v == result.to.v) return std::nullopt;
 	const double square = dot(d, d);

@@ -26,9 +26,24 @@ struct LatticeRay
 	std::int32_t b = 0;  ///< round(128 sin 2 phi)
 };
 
-/** The ray from a sensor to `margin` [sigma] before its end; nothing if that leaves no length. The sensor is NaN: not
- * known, no ray. Throws std::invalid_argument if an end lies beyond +-1e6 m. */
-std::optional<LatticeRay> makeRay(const Frame& frame, const FreeRay& ray, double margin);
+/** Makes rays from a sensor to `margin` [sigma] before their ends. The measurements of a scan come from one place: what
+ * follows from that alone is kept until it changes. */
+class RayMaker
+{
+ public:
+	RayMaker(const Frame& frame, double margin) : frame_(frame), margin_(margin) {}
+
+	/** Nothing if the margin leaves no length or if the sensor is NaN: not known. Throws std::invalid_argument if an
+	 * end lies beyond +-1e6 m. */
+	std::optional<LatticeRay> make(const FreeRay& ray);
+
+ private:
+	Frame frame_;
+	double margin_;
+	double sensorX_ = 0, sensorY_ = 0;
+	std::optional<Vec2> sensor_;  ///< in the lattice frame [sigma]; nothing: none yet
+	LatticePoint from_;
+};
 
 /** A ray as a walk along its longer axis: the rows (columns, for rays that are steeper than 45 degrees) of cells in
  * which it enters and leaves every column. It enters a column in rowAt(column) and leaves it in rowAt(column + 1),

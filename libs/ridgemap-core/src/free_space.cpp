@@ -46,8 +46,9 @@ std::vector<LatticeRay> FreeSpace::raysOf(const std::vector<Measurement>& measur
 	std::vector<LatticeRay> rays;
 	if (!counting_) return rays;
 	rays.reserve(measurements.size());
+	RayMaker maker(frame_, margin_);
 	for (const Measurement& m : measurements)
-		if (const auto ray = makeRay(frame_, {m.sensorX, m.sensorY, m.x, m.y}, margin_)) rays.push_back(*ray);
+		if (const auto ray = maker.make({m.sensorX, m.sensorY, m.x, m.y})) rays.push_back(*ray);
 	return rays;
 }
 
@@ -56,8 +57,9 @@ std::vector<LatticeRay> FreeSpace::raysOf(const std::vector<FreeRay>& free) cons
 	std::vector<LatticeRay> rays;
 	if (!counting_) return rays;
 	rays.reserve(free.size());
+	RayMaker maker(frame_, 0);
 	for (const FreeRay& r : free)
-		if (const auto ray = makeRay(frame_, r, 0)) rays.push_back(*ray);
+		if (const auto ray = maker.make(r)) rays.push_back(*ray);
 	return rays;
 }
 

@@ -25,15 +25,9 @@ class RayCounter
 
  private:
 	template <bool steep>
+	struct Strip;
+	template <bool steep>
 	void count(const RayWalk& walk, PackedSums sums);
-	/** The one or two cells of a column. */
-	template <bool steep>
-	void countColumn(std::int64_t column, std::int64_t row, std::int64_t leaving, PackedSums sums);
-	/** The cells of columns from `first` to before `end`, which the ray enters in `row`, all in one tile. */
-	template <bool steep>
-	void countInTile(const RayWalk& walk, std::int64_t first, std::int64_t end, std::int64_t row, PackedSums sums);
-	template <bool steep>
-	PackedSums* cellAt(std::int64_t column, std::int64_t row);
 	PackedSums* cellsOf(TileKey key);
 	PackedSums* find(TileKey key);
 
