@@ -22,13 +22,13 @@ std::vector<Measurement> filledSquare(Random& random, double edge, std::size_t c
 	return result;
 }
 
-std::vector<Measurement> wall(Random& random, double length, std::size_t count)
+std::vector<Measurement> wall(Random& random, double length, std::size_t count, double noise = 0.02)
 {
 	std::vector<Measurement> result(count);
 	for (Measurement& m : result)
 	{
 		m.x = random.uniform(0, length);
-		m.y = 0.02 * random.normal();
+		m.y = noise * random.normal();
 	}
 	return result;
 }
@@ -100,6 +100,17 @@ TEST(Bounds, APlaceThatWasSeenALongTimeCostsWhatItsCellsCost)
 	// More cells beside the wall are occupied, until all are; then nothing grows any more.
 	EXPECT_LE(double(evaluations[2]), 3.0 * double(evaluations[0]));
 	EXPECT_LE(double(evaluations[3]), 1.2 * double(evaluations[2]));
+}
+
+TEST(Bounds, MeasurementsBesideAKnownRidgeStartNoSearches)
+{
+	Random random(4);
+	RidgeMap map;
+	map.insert(wall(random, 5, 100000, 0.01));  // all of them within one sigma
+	const UpdateResult r = map.update();
+	std::cout << "a wall of 5 m: " << r.tiles << " tiles, " << r.traces << " traces, " << r.seeds << " seeds\n";
+	ASSERT_EQ(map.ridges().size(), 1u);
+	EXPECT_LE(r.seeds, r.traces + 4);  // one finds a ridge, a few lie off its ends
 }
 
 TEST(Bounds, MemoryPerMetreOfWall)

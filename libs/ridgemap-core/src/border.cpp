@@ -26,35 +26,30 @@ constexpr double cosineOfSide = 0.9;  ///< a normal found from one side this clo
 /** What the density says at one point for surfaces of all normals. */
 struct AllSides
 {
-	std::array<RidgePoint, sides.size()> r;           ///< in a plain field the first one only
+	std::size_t count = 0;                            ///< 0 where no ridge can be, 1 in a plain field
+	std::array<RidgePoint, sides.size()> r;           ///< by side
 	std::array<std::size_t, sides.size()> firstWith;  ///< the first side from which the same came out
 
-	/** Fills it for a point; the occupancy is 0 where no ridge can be. */
 	void look(const TileField& field, const Options& options, Vec2 p)
 	{
-		for (std::size_t k = 0; k < sides.size(); k++)
-		{
-			firstWith[k] = k;
-			r[k].occupancy = 0;
-		}
+		count = 0;
 		if (field.nearestNode(p) < leastOccupancy * options.lTol) return;
 		if (!field.isSided())
 		{
-			r[0] = evaluateRidge(field, p, {});
+			r[count] = evaluateRidge(field, p, {});
+			firstWith[count++] = 0;
 			return;
 		}
 		FieldPoint point(field, p);
-		for (std::size_t k = 0; k < sides.size(); k++)
+		for (; count < sides.size(); count++)
 		{
 			const auto isKnown = [&](const RidgePoint& o)
-			{ return o.occupancy > 0 && dot(o.v1, sides[k]) > cosineOfSide; };
-			const std::size_t known = std::size_t(std::find_if(r.begin(), r.begin() + k, isKnown) - r.begin());
-			r[k] = known < k ? r[known] : evaluateRidge(point, sides[k]);
-			firstWith[k] = known < k ? firstWith[known] : k;
+			{ return o.occupancy > 0 && dot(o.v1, sides[count]) > cosineOfSide; };
+			const std::size_t known = std::size_t(std::find_if(r.begin(), r.begin() + count, isKnown) - r.begin());
+			r[count] = known < count ? r[known] : evaluateRidge(point, sides[count]);
+			firstWith[count] = known < count ? firstWith[known] : count;
 		}
 	}
-
-	std::size_t count(const TileField& field) const { return field.isSided() ? sides.size() : 1; }
 };
 
 /** A sample on the border, with f and its derivative along the border. */
@@ -87,7 +82,7 @@ class SegmentScan
 			const AllSides& previous = samples[(i + 1) % 2];
 			AllSides& next = samples[i % 2];
 			next.look(field_, options_, at(s));
-			for (std::size_t k = 0; k < next.count(field_); k++)
+			for (std::size_t k = 0; k < std::min(previous.count, next.count); k++)
 			{
 				const std::size_t first = next.firstWith[k];
 				if (first != k && previous.firstWith[k] == first) continue;  // the same interval
@@ -205,22 +200,25 @@ class SegmentScan
 	double quality_ = 1;
 };
 
-/** Sorts crossings along the border; those that were found from several sides are kept once. */
-void keepDifferent(std::vector<Crossing>& crossings)
+/** Sorts the crossings from number `first` on along the border; those that were found from several sides are kept once.
+ */
+void keepDifferent(std::vector<Crossing>& crossings, std::size_t first)
 {
-	std::stable_sort(crossings.begin(), crossings.end(),
-					 [](const Crossing& a, const Crossing& b) { return a.s < b.s; });
-	std::vector<Crossing> kept;
-	for (const Crossing& c : crossings)
+	if (crossings.size() < first + 2) return;
+	const auto begin = crossings.begin() + std::ptrdiff_t(first);
+	std::stable_sort(begin, crossings.end(), [](const Crossing& a, const Crossing& b) { return a.s < b.s; });
+	auto end = begin;  // of those that are kept
+	for (auto it = begin; it != crossings.end(); ++it)
 	{
+		const Crossing c = *it;
 		const auto isSame = [&](const Crossing& k)
 		{
 			const double distance = norm(k.p - c.p), cosine = dot(k.normal, c.normal);
 			return (distance < sameCrossing && cosine > 0.7) || (distance < 4 * sameCrossing && cosine > 0.999);
 		};
-		if (std::none_of(kept.begin(), kept.end(), isSame)) kept.push_back(c);
+		if (std::none_of(begin, end, isSame)) *end++ = c;
 	}
-	crossings = std::move(kept);
+	crossings.erase(end, crossings.end());
 }
 
 /** Lays a border along the given vertices. Returns how transversal its worst crossing is. */
@@ -230,12 +228,11 @@ double scanPath(const TileField& field, const Options& options, const std::vecto
 	double quality = 1, s0 = 0;
 	for (std::size_t i = 1; i < path.size(); i++)
 	{
-		std::vector<Crossing> found;
+		const std::size_t known = crossings.size();
 		SegmentScan scan(field, options, path[i - 1], path[i]);
-		scan.run(s0, found);
+		scan.run(s0, crossings);
 		quality = std::min(quality, scan.quality());
-		if (field.isSided()) keepDifferent(found);
-		crossings.insert(crossings.end(), found.begin(), found.end());
+		if (field.isSided()) keepDifferent(crossings, known);
 		s0 += norm(path[i] - path[i - 1]);
 	}
 	return quality;
@@ -271,8 +268,9 @@ Vec2 placeCorner(const TileField& field, const Options& options)
 		double clearance = std::numeric_limits<double>::infinity();
 		AllSides sample;
 		sample.look(field, options, q);
-		for (const RidgePoint& r : sample.r)
+		for (std::size_t k = 0; k < sample.count; k++)
 		{
+			const RidgePoint& r = sample.r[k];
 			const double slope = norm(r.df);
 			if (r.occupancy >= 0.5 * options.lTol && slope > 0) clearance = std::min(clearance, std::abs(r.f) / slope);
 		}

@@ -27,11 +27,11 @@ TileField::TileField(const TileStore& store, TileKey key, const Options& options
 {
 	const int perEdge = store.blocksPerEdge();
 	side_ = perEdge + 2 * halo_;
-	blocks_.assign(std::size_t(side_) * std::size_t(side_), nullptr);
+	scratch_->blocks.assign(std::size_t(side_) * std::size_t(side_), nullptr);
 	stride_ = side_ * nodesPerBlock + NodeTaps::count;  // rows that are a power of two apart share lines of the cache
 	if (compacts_)
 	{
-		bins_.assign(blocks_.size(), 0);
+		scratch_->bins.assign(scratch_->blocks.size(), 0);
 		scratch_->planes.resize(sided_ ? directionBins : 1);
 		for (FieldScratch::Plane& plane : scratch_->planes)
 		{
@@ -40,7 +40,7 @@ TileField::TileField(const TileStore& store, TileKey key, const Options& options
 		}
 	}
 	else
-		scratch_->views.reserve(blocks_.size());
+		scratch_->views.reserve(scratch_->blocks.size());
 	// The halo is narrower than a tile: the nine tiles around cover it.
 	for (int ty = -1; ty <= 1; ty++)
 		for (int tx = -1; tx <= 1; tx++)
@@ -54,8 +54,8 @@ TileField::TileField(const TileStore& store, TileKey key, const Options& options
 				{
 					const Block& b = tile->blocks[std::size_t((by - ty * perEdge) * perEdge + bx - tx * perEdge)];
 					if (b.layers.empty() && b.cells.empty()) continue;
-					blocks_[index(bx, by)] = &b;
-					for (const NodeLayer& l : b.layers) bins_[index(bx, by)] |= std::uint32_t(1) << l.bin;
+					scratch_->blocks[index(bx, by)] = &b;
+					for (const NodeLayer& l : b.layers) scratch_->bins[index(bx, by)] |= std::uint32_t(1) << l.bin;
 					nonEmpty_++;
 				}
 		}
@@ -95,7 +95,7 @@ TileField::Taps TileField::tapsAt(Vec2 p) const
 		   0};
 	look(t.x, t.y);
 	for (int by = t.y.first; by <= t.y.last; by++)
-		for (int bx = t.x.first; bx <= t.x.last; bx++) t.bins |= bins_[index(bx, by)];
+		for (int bx = t.x.first; bx <= t.x.last; bx++) t.bins |= scratch_->bins[index(bx, by)];
 	return t;
 }
 

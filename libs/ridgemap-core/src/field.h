@@ -29,7 +29,9 @@ struct FieldScratch
 		std::vector<float> nodes;              ///< around the tile, row by row, where they were asked for
 		std::vector<std::uint64_t> hasCopied;  ///< blocks that are in `nodes`, one word a row of blocks
 	};
-	std::vector<Plane> planes;  ///< by direction bin
+	std::vector<Plane> planes;         ///< by direction bin
+	std::vector<const Block*> blocks;  ///< row by row; nullptr where there is nothing
+	std::vector<std::uint32_t> bins;   ///< direction bins of the nodes of each block, one bit each
 	std::vector<BlockView> views;
 };
 
@@ -59,13 +61,8 @@ class TileField
 		if (nonEmpty_ == 0) reach_.addAll();
 		return nonEmpty_ == 0;
 	}
-	/** The blocks on which everything asked since the last call depends. */
-	BlockMask takeReach() const
-	{
-		BlockMask result = reach_;
-		reach_ = BlockMask(side_);
-		return result;
-	}
+	/** The blocks on which everything that was asked depends. The field must not be asked afterwards. */
+	BlockMask takeReach() { return std::move(reach_); }
 	double tileEdge() const { return edge_; }
 	bool inDomain(Vec2 p) const
 	{
@@ -136,16 +133,14 @@ class TileField
 	Taps tapsAt(Vec2 p) const;
 
 	std::size_t index(int bx, int by) const { return std::size_t((by + halo_) * side_ + bx + halo_); }
-	const Block* block(int bx, int by) const { return blocks_[index(bx, by)]; }
+	const Block* block(int bx, int by) const { return scratch_->blocks[index(bx, by)]; }
 	static Vec2 centre(int bx, int by) { return {4.0 * bx + 2.0, 4.0 * by + 2.0}; }
 
 	bool compacts_, sided_;
 	double edge_;
 	double cutoff_;
-	int halo_;                          ///< blocks beyond the tile on each side
-	int side_;                          ///< blocks along one side of the neighbourhood
-	std::vector<const Block*> blocks_;  ///< row by row; nullptr where there is nothing
-	std::vector<std::uint32_t> bins_;   ///< direction bins of the nodes of each block, one bit each
+	int halo_;  ///< blocks beyond the tile on each side
+	int side_;  ///< blocks along one side of the neighbourhood
 	std::size_t nonEmpty_ = 0;
 	int stride_;  ///< nodes from one row to the next
 	std::unique_ptr<FieldScratch> ownScratch_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "frame.h"
 
@@ -32,30 +33,48 @@ class PlaceSets
 	}
 
 	/** Adds the squares whose middle is at most `radius` from p. */
-	void addDisc(Vec2 p, double radius, std::uint32_t mask)
-	{
-		const double cx = (p.x + origin_) * perSigma - 0.5, cy = (p.y + origin_) * perSigma - 0.5;
-		const double r = radius * perSigma;
-		const int last = std::min(side_ - 1, roundDown(cy + r));
-		for (int y = std::max(0, roundUp(cy - r)); y <= last; y++)
-		{
-			const double half = std::sqrt(std::max(0.0, r * r - (y - cy) * (y - cy)));
-			const int x0 = std::max(0, roundUp(cx - half)), x1 = std::min(side_ - 1, roundDown(cx + half));
-			addSpan(y, x0, x1, mask);
-		}
-	}
+	void addDisc(Vec2 p, double radius, std::uint32_t mask) { addCapsule(p, p, radius, mask); }
 
-	/** Adds the squares whose middle is at most about `radius` from the segment a-b. */
+	/** Adds the squares whose middle is at most `radius` from the segment a-b. */
 	void addCapsule(Vec2 a, Vec2 b, double radius, std::uint32_t mask)
 	{
-		const int steps = std::max(1, roundUp(norm(b - a) * 2 * perSigma / (1 + perSigma * radius)));
-		for (int i = 0; i <= steps; i++) addDisc(a + (double(i) / steps) * (b - a), radius, mask);
+		const double r = radius * perSigma;
+		Vec2 low = middleIndex(a), high = middleIndex(b);
+		if (low.y > high.y) std::swap(low, high);
+		const Vec2 along = high - low;
+		const double length = norm(along);
+		// From the segment to its parallels on both sides.
+		const Vec2 beside = length > 0 ? (r / length) * leftNormal(along) : Vec2{};
+		const int last = std::min(side_ - 1, roundDown(high.y + r));
+		for (int y = std::max(0, roundUp(low.y - r)); y <= last; y++)
+		{
+			double left = side_, right = -1;
+			for (const Vec2& c : {low, high})
+			{
+				const double square = r * r - (y - c.y) * (y - c.y);
+				if (square < 0) continue;
+				const double half = std::sqrt(square);
+				left = std::min(left, c.x - half);
+				right = std::max(right, c.x + half);
+			}
+			for (const Vec2& c : {low + beside, low - beside})
+			{
+				const double up = y - c.y;
+				if (up < 0 || up > along.y || !(along.y > 0)) continue;
+				const double column = c.x + along.x * (up / along.y);
+				left = std::min(left, column);
+				right = std::max(right, column);
+			}
+			addSpan(y, std::max(0, roundUp(left)), std::min(side_ - 1, roundDown(right)), mask);
+		}
 	}
 
  private:
 	static constexpr int perSigma = 4;
 
 	int index(double coordinate) const { return roundDown((coordinate + origin_) * perSigma); }
+	/** Column and row of the square whose middle would be here. */
+	Vec2 middleIndex(Vec2 p) const { return {(p.x + origin_) * perSigma - 0.5, (p.y + origin_) * perSigma - 0.5}; }
 
 	void addSpan(int y, int x0, int x1, std::uint32_t mask)
 	{

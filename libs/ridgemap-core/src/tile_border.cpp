@@ -21,51 +21,59 @@ TileBorder::TileBorder(const TileStore& store, TileKey key) : edge_(store.tileEd
 	const auto corner = [](const Tile* t) { return t ? t->corner : Vec2{}; };
 	const Vec2 sw = corner(here), se = Vec2{edge_, 0} + corner(right), nw = Vec2{0, edge_} + corner(above),
 			   ne = Vec2{edge_, edge_} + corner(diagonal);
+	walls_.reserve(4);
 	addSide(here ? &here->bottom : nullptr, bottomSide, {0, 0}, false, sw, se);
 	addSide(right ? &right->left : nullptr, rightSide, {edge_, 0}, false, se, ne);
 	addSide(above ? &above->bottom : nullptr, topSide, {0, edge_}, true, nw, ne);
 	addSide(here ? &here->left : nullptr, leftSide, {0, 0}, true, sw, nw);
-	std::stable_sort(ports_.begin(), ports_.end(), [](const Port& a, const Port& b) { return a.side < b.side; });
+	std::sort(ports_.begin(), ports_.end(),
+			  [](const Port& a, const Port& b) { return a.side != b.side ? a.side < b.side : a.index < b.index; });
 }
 
 void TileBorder::addSide(const Edge* edge, int side, Vec2 shift, bool reversed, Vec2 defaultFrom, Vec2 defaultTo)
 {
-	std::vector<Vec2> path;
+	const std::size_t first = walls_.size();
+	const auto addWall = [&](Vec2 from, Vec2 to, double s) { walls_.push_back({from, to, side, s, false}); };
 	if (edge && edge->path.size() >= 2)
-		for (const Vec2& p : edge->path) path.push_back(p + shift);
-	else
-		path = {defaultFrom, defaultTo};
-	std::vector<Wall> walls;
-	double s = 0;
-	for (std::size_t i = 1; i < path.size(); i++)
 	{
-		const double length = norm(path[i] - path[i - 1]);
-		if (reversed)
-			walls.insert(walls.begin(), {path[i], path[i - 1], side, s + length, true});
-		else
-			walls.push_back({path[i - 1], path[i], side, s, false});
-		s += length;
-	}
-	if (edge)
-		for (std::size_t k = 0; k < edge->crossings.size(); k++)
+		double s = 0;
+		for (std::size_t i = 1; i < edge->path.size(); i++)
 		{
-			Port port;
-			port.crossing = edge->crossings[k];
-			port.crossing.p = port.crossing.p + shift;
-			port.side = side;
-			port.index = int(k);
-			port.inward = port.crossing.tangent;
-			for (const Wall& w : walls)
-			{
-				const double d = (port.crossing.s - w.s0) * (reversed ? -1 : 1);
-				if (d < -1e-9 || d > norm(w.b - w.a) + 1e-9) continue;
-				// The tile lies to the left of its counter-clockwise border.
-				if (cross(w.b - w.a, port.inward) < 0) port.inward = -port.inward;
-				break;
-			}
-			ports_.push_back(port);
+			addWall(edge->path[i - 1] + shift, edge->path[i] + shift, s);
+			s += norm(edge->path[i] - edge->path[i - 1]);
 		}
-	walls_.insert(walls_.end(), walls.begin(), walls.end());
+	}
+	else
+		addWall(defaultFrom, defaultTo, 0);
+	if (reversed)
+	{
+		for (std::size_t i = first; i < walls_.size(); i++)
+		{
+			Wall& w = walls_[i];
+			w = {w.b, w.a, side, w.s0 + norm(w.b - w.a), true};
+		}
+		std::reverse(walls_.begin() + std::ptrdiff_t(first), walls_.end());
+	}
+	if (!edge) return;
+	for (std::size_t k = 0; k < edge->crossings.size(); k++)
+	{
+		Port port;
+		port.crossing = edge->crossings[k];
+		port.crossing.p = port.crossing.p + shift;
+		port.side = side;
+		port.index = int(k);
+		port.inward = port.crossing.tangent;
+		for (std::size_t i = first; i < walls_.size(); i++)
+		{
+			const Wall& w = walls_[i];
+			const double d = (port.crossing.s - w.s0) * (reversed ? -1 : 1);
+			if (d < -1e-9 || d > norm(w.b - w.a) + 1e-9) continue;
+			// The tile lies to the left of its counter-clockwise border.
+			if (cross(w.b - w.a, port.inward) < 0) port.inward = -port.inward;
+			break;
+		}
+		ports_.push_back(port);
+	}
 }
 
 bool TileBorder::contains(Vec2 p) const

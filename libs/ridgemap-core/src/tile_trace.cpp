@@ -18,6 +18,7 @@ constexpr double knownDistance = 0.2;  ///< a search that comes this close to a 
 constexpr double besidePath =
 	0.45;  ///< a search this close to the path of one that came to a known place would follow it [sigma]
 constexpr double seedMargin = 0.5;    ///< measurements up to this far outside a tile may start ridges in it [sigma]
+constexpr double behindReach = 2;     ///< how far behind a crossing a ridge is taken to go on [sigma]
 constexpr double leastLength = 0.02;  ///< shorter pieces with two free ends are noise of the arithmetic [sigma]
 
 double lengthOf(const std::vector<RidgeNode>& nodes)
@@ -78,15 +79,15 @@ class TileTracer
 		const double edge = field_.tileEdge(), half = 0.5 * edge;
 		// Collected first: tracing must not depend on how far the loop over kernels has come.
 		std::vector<std::pair<Vec2, std::uint32_t>> starts;
-		field_.forEachCellNear(
-			{half, half}, half + seedMargin,
-			[&](Vec2 q, std::uint32_t bin)
-			{
-				if (q.x >= -seedMargin && q.y >= -seedMargin && q.x <= edge + seedMargin && q.y <= edge + seedMargin)
-					starts.push_back({q, bin});
-			});
+		field_.forEachCellNear({half, half}, half + seedMargin,
+							   [&](Vec2 q, std::uint32_t bin)
+							   {
+								   const double least = std::min(q.x, q.y), most = std::max(q.x, q.y);
+								   if (least >= -seedMargin && most <= edge + seedMargin && !startsNothing(q, bin))
+									   starts.push_back({q, bin});
+							   });
 		for (const auto& [q, bin] : starts)
-			if (!covered_.contains(q, bin) && !searched_.contains(q, bin)) fromMeasurement(q, bin);
+			if (!startsNothing(q, bin) && !searched_.contains(q, bin)) fromMeasurement(q, bin);
 	}
 
 	/** Looks for a ridge from one measurement, unless an earlier search came past. */
@@ -153,24 +154,52 @@ class TileTracer
 
 	void add(Piece&& piece)
 	{
-		for (std::size_t i = 1; i < piece.nodes.size(); i++)
+		const std::vector<RidgeNode>& n = piece.nodes;
+		for (std::size_t i = 1; i < n.size(); i++)
 		{
-			const RidgeNode &a = piece.nodes[i - 1], &b = piece.nodes[i];
 			std::uint32_t mask = 0;
 			for (std::uint32_t bin = 0; bin < directionBins; bin++)
-				mask |= std::uint32_t(field_.sees(bin, b.normal)) << bin;
-			covered_.addCapsule(a.p, b.p, coverDistance, mask);
-			searched_.addCapsule(a.p, b.p, knownDistance, mask);
+				mask |= std::uint32_t(field_.sees(bin, n[i].normal)) << bin;
+			covered_.addCapsule(n[i - 1].p, n[i].p, coverDistance, mask);
+			searched_.addCapsule(n[i - 1].p, n[i].p, knownDistance, mask);
+			if (i == 1 && piece.start.side >= 0) behind_.push_back({n[0].p, unit(n[0].p - n[1].p), mask});
+			if (i + 1 == n.size() && piece.end.side >= 0) behind_.push_back({n[i].p, unit(n[i].p - n[i - 1].p), mask});
 		}
 		result_.pieces.push_back(std::move(piece));
 	}
+
+	/** The measurement lies outside the tile, beside a ridge that goes on there. */
+	bool isBehindCrossing(Vec2 q, std::uint32_t bin) const
+	{
+		if (std::min(q.x, q.y) >= 0 && std::max(q.x, q.y) <= field_.tileEdge()) return false;
+		const auto isBeside = [&](const Behind& b)
+		{
+			const Vec2 d = q - b.crossing;
+			return (b.mask >> bin & 1) && dot(d, b.outward) > 0 && std::abs(cross(b.outward, d)) <= coverDistance &&
+				   dot(d, d) <= behindReach * behindReach;
+		};
+		return std::any_of(behind_.begin(), behind_.end(), isBeside);
+	}
+
+	bool startsNothing(Vec2 q, std::uint32_t bin) const
+	{
+		return covered_.contains(q, bin) || isBehindCrossing(q, bin);
+	}
+
+	/** Where a piece leaves the tile. */
+	struct Behind
+	{
+		Vec2 crossing, outward;
+		std::uint32_t mask;  ///< direction bins that it explains
+	};
 
 	const TileField& field_;
 	TileBorder& border_;
 	const Options& options_;
 	TileTrace result_;
-	PlaceSets covered_;       ///< by direction bin: measurements here start no ridge
-	PlaceSets searched_;      ///< by direction bin: a search that comes here finds nothing new
+	PlaceSets covered_;   ///< by direction bin: measurements here start no ridge
+	PlaceSets searched_;  ///< by direction bin: a search that comes here finds nothing new
+	std::vector<Behind> behind_;
 	std::vector<Vec2> path_;  ///< of the present search
 	RidgeTracer tracer_;
 };
