@@ -174,10 +174,11 @@ Evaluation evaluate(const std::vector<Polyline>& map, const std::vector<Segment>
 			(p.distance += sums.near) += sums.far;
 			std::vector<Interval> hits;
 			addSegment(s, truth, settings.within, coverage, coverage.touched.back(), hits);
-			p.hits += s.length() * sizeOf(unite(hits));
+			for (const Interval& hit : unite(hits)) p.right += integrateDistance(s.at(hit.from), s.at(hit.to), truth);
 		}
 		e.all += p.distance;
-		e.spurious += std::max(0.0, p.distance.length - p.hits);
+		e.right += p.right;
+		e.spurious += std::max(0.0, p.distance.length - p.right.length);
 		e.polylines.push_back(p);
 	}
 	addCoverage(coverage, truth, corners, settings, e);

@@ -39,7 +39,7 @@ struct EvaluationSettings
 struct PolylineEvaluation
 {
 	DistanceSum distance;
-	double hits = 0;  ///< length within reach of the truth [m]
+	DistanceSum right;  ///< of this, what is within reach of the truth
 };
 
 /** Figures of a map. */
@@ -48,6 +48,7 @@ struct Evaluation
 	std::vector<PolylineEvaluation> polylines;  ///< in the order of the map
 	DistanceSum all;                            ///< length-weighted over all polylines
 	DistanceSum corners, straight;              ///< of these, near to corners and elsewhere
+	DistanceSum right;                          ///< of these, what is within reach of the truth
 	std::size_t cornerCount = 0;                ///< true corners
 
 	double truthLength = 0;                                ///< true surface that was seen [m]

@@ -61,6 +61,7 @@ void writeEvaluation(JsonWriter& json, const std::string& key, const Evaluation&
 	writeDistance(json, "all", e.all);
 	writeDistance(json, "corners", e.corners);
 	writeDistance(json, "straight", e.straight);
+	writeDistance(json, "withinReach", e.right);
 	json.value("completeness", e.completeness());
 	json.value("truthMetres", e.truthLength);
 	json.value("truthCoveredMetres", e.truthCovered);
@@ -77,7 +78,7 @@ void writeEvaluation(JsonWriter& json, const std::string& key, const Evaluation&
 		json.value("metres", p.distance.length);
 		json.value("rmsd", p.distance.rmsd());
 		json.value("maximum", p.distance.maximum);
-		json.value("metresWithinReach", p.hits);
+		json.value("metresWithinReach", p.right.length);
 		json.end();
 	}
 	json.end();
@@ -95,6 +96,7 @@ void printTable(const Evaluation& r, const Evaluation& w, const EvaluationSettin
 	printRow("RMSD", "mm", 1e3 * r.all.rmsd(), 1e3 * w.all.rmsd(), 3);
 	printRow("  near corners", "mm", 1e3 * r.corners.rmsd(), 1e3 * w.corners.rmsd(), 3);
 	printRow("  elsewhere", "mm", 1e3 * r.straight.rmsd(), 1e3 * w.straight.rmsd(), 3);
+	printRow("  within reach", "mm", 1e3 * r.right.rmsd(), 1e3 * w.right.rmsd(), 3);
 	printRow("maximum", "mm", 1e3 * r.all.maximum, 1e3 * w.all.maximum, 3);
 	printRow("  near corners", "mm", 1e3 * r.corners.maximum, 1e3 * w.corners.maximum, 3);
 	printRow("  elsewhere", "mm", 1e3 * r.straight.maximum, 1e3 * w.straight.maximum, 3);

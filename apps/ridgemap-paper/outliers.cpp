@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What outliers do to a map.
 #include "../common/evaluation.h"
-#include "../common/intervals.h"
 #include "experiments.h"
 #include "made_up.h"
 #include "raster.h"
@@ -25,14 +24,6 @@ std::vector<Measurement> withOutliers(const std::vector<Measurement>& good, doub
 		m.y = random.uniform(area.min.y, area.max.y);
 	}
 	return points;
-}
-/** Adds the parts of a segment that are within sigma of the truth. */
-void addWithinReach(const Segment& s, const std::vector<Segment>& truth, DistanceSum& sum)
-{
-	std::vector<Interval> parts;
-	for (const Segment& t : truth)
-		if (const auto near = nearSegment(s, t, sigma)) parts.push_back(*near);
-	for (const Interval& part : unite(parts)) sum += integrateDistance(s.at(part.from), s.at(part.to), truth);
 }
 }  // namespace
 
@@ -58,13 +49,9 @@ Finding outlierShares(const Setting& setting)
 				RidgeMap map(options);
 				map.insert(points);
 				const Evaluation e = evaluate(map.walls(), drive.truth, {sigma, 1, 0.35});
-				DistanceSum right;
-				for (const Polyline& p : map.walls())
-					for (std::size_t i = 1; i < p.points.size(); i++)
-						addWithinReach({p.points[i - 1], p.points[i]}, drive.truth, right);
 				const double expected = share * double(points.size()) / (18 * 18) * 2 * M_PI * sigma * sigma;
 				f.table.rows.push_back({double(points.size()), 100 * share, expected, lTol, 100 * e.completeness(),
-										1e3 * right.rmsd(), e.spurious, double(map.walls().size())});
+										1e3 * e.right.rmsd(), e.spurious, double(map.walls().size())});
 				if (lTol != 3 || share == 0) continue;
 				Raster raster(area, 700);
 				raster.dots(pointsOf(points), cv::Scalar(200, 180, 150), 1);

@@ -123,6 +123,9 @@ TEST(Evaluation, figuresOfAMap)
 	EXPECT_NEAR(e.truthLength, 19, 1e-12);
 	EXPECT_NEAR(e.truthCovered, 9.5 + std::sqrt(0.01 - 0.0004), 1e-12);
 	EXPECT_NEAR(e.spurious, 1, 1e-12);
+	EXPECT_NEAR(e.right.length, 10.5, 1e-12);
+	EXPECT_NEAR(e.right.rmsd(), std::sqrt((6 * 0.05 * 0.05 + 4.5 * 0.02 * 0.02) / 10.5), 1e-12);
+	EXPECT_NEAR(e.polylines[2].right.length, 0, 1e-12);
 	EXPECT_NEAR(e.duplicates, 1, 1e-12);
 	EXPECT_NEAR(e.corners.length, 9.5 - (10 - std::sqrt(1 - 0.0004)), 1e-12);
 	EXPECT_NEAR(e.corners.rmsd(), 0.02, 1e-12);

@@ -176,7 +176,7 @@ TEST(FreeCut, AWallIsNotShortenedWhereRaysPassBesideItsEnd)
 {
 	const Options options;
 	const Polyline line = lineAt(0, -2, 2, 5);
-	for (const double beyond : {0.0, 6.0})
+	for (const double beyond : {0.0, 1.25, 6.0})
 	{
 		FreeSpace space(options);
 		// Rays through a door; cells and window carry them over the last stretch of the wall.

@@ -12,7 +12,8 @@ namespace ridgemap
 namespace
 {
 constexpr double spacing = 0.5;    ///< of samples along a line, at most [sigma]
-constexpr double shortestCut = 2;  ///< shorter stretches beside stretches that stay are kept [sigma]
+constexpr double shortestCut = 2;  ///< shorter stretches between stretches that stay are kept [sigma]
+constexpr double shortestEnd = 3;  ///< the same at the end of a line [sigma]
 
 /** Hits and passes at one place of a line. */
 struct Evidence
@@ -148,9 +149,10 @@ class SampledLine
 	std::vector<Evidence> evidence_;
 };
 
-/** Gives back what is too short to be left out: between stretches that stay and at the ends of lines, where the density
- * falls to half while rays pass beside a wall that ends at a door. On a closed line, runs go on over the seam. */
-void keepShortRuns(std::vector<char>& stays, double step, double shortest, bool closed)
+/** Gives back what is too short to be left out: between stretches that stay and at the ends of lines. There the density
+ * falls to half while rays pass beside a wall that ends at a door, and the ridge goes on beyond the surface: where it
+ * ends is for trimEnds() to tell. On a closed line, runs go on over the seam. */
+void keepShortRuns(std::vector<char>& stays, double step, double sigma, bool closed)
 {
 	const std::size_t n = stays.size();
 	std::size_t first = 0;
@@ -161,7 +163,8 @@ void keepShortRuns(std::vector<char>& stays, double step, double shortest, bool 
 	{
 		std::size_t last = i;
 		while (last < end && !stays[last % n]) last++;
-		if (double(last - i) * step < shortest)
+		const bool atEnd = !closed && (i == 0 || last == n);
+		if (double(last - i) * step < (atEnd ? shortestEnd : shortestCut) * sigma)
 			for (std::size_t k = i; k < last; k++) stays[k % n] = 1;
 		i = std::max(last, i + 1);
 	}
@@ -225,7 +228,7 @@ std::vector<char> decide(const Polyline& line, const SampledLine& samples, const
 		stays[i] = seldom || e.hits >= options.freeSpaceTau * (e.hits + e.passes);
 	}
 	const auto cut = [&] { return std::find(stays.begin(), stays.end(), 0) != stays.end(); };
-	if (cut()) keepShortRuns(stays, samples.step(), shortestCut * options.sigma, line.closed);
+	if (cut()) keepShortRuns(stays, samples.step(), options.sigma, line.closed);
 	if (!cut()) stays.clear();
 	return stays;
 }

@@ -17,7 +17,8 @@ namespace ridgemap
  * Samples lie 0.5 sigma apart. Each has hits, its density in kernels times 0.5 cell/sigma, and passes, the sum of
  * cos^2 of the angle between the rays and the normal of the line. A sample stays where the hits within
  * `freeSpaceWindow` are at least `freeSpaceTau` of hits and passes, or where fewer than `freeSpaceLeast` rays passed on
- * average. Stretches below 2 sigma beside stretches that stay are kept. A line of which all stays comes out as it is.
+ * average. Stretches below 2 sigma between stretches that stay are kept, and below 3 sigma at the end of a line. A line
+ * of which all stays comes out as it is.
  *
  * A line depends on itself and on the counters within `freeSpaceWindow` + 3 sigma of it alone.
  * @param removed where to put what was left out, if wanted */
