@@ -46,7 +46,7 @@ struct Box2
 	void extend(const Box2& b);
 };
 
-/** Why a ridge trace, and so a polyline, ends where it ends (paper section V-C and DESIGN of the borders). */
+/** Why a ridge trace, and so a polyline, ends where it ends (paper section V-C; borders: doc/algorithm.md). */
 enum class StopReason : std::uint8_t
 {
 	crossing = 0,      ///< reached a registered crossing of the tile border; the polyline goes on in the next tile
