@@ -60,7 +60,8 @@ class FieldFile
 	std::size_t line_ = 0;
 };
 
-void readSceneLine(const FieldFile& file, const std::vector<std::string>& fields, Scene& scene)
+/** A line of a scene without `during`. */
+void readThing(const FieldFile& file, const std::vector<std::string>& fields, Scene& scene)
 {
 	const std::vector<double> v = file.numbers(fields, 1);
 	const std::string& what = fields[0];
@@ -78,6 +79,20 @@ void readSceneLine(const FieldFile& file, const std::vector<std::string>& fields
 		need(v.size() == 5 && v[2] > 0 && v[4] > v[3] && v[4] <= v[3] + 360, "cx cy radius from to', angles rising");
 		scene.addArc({v[0], v[1]}, v[2], v[3] * pi / 180, v[4] * pi / 180);
 	}
+	else if (what == "glass")
+	{
+		need(v.size() == 6 && v[0] >= 0 && v[0] <= 1 && v[1] > 0 && v[1] <= 90,
+			 "share angle x1 y1 x2 y2', share 0 .. 1");
+		scene.addWall({v[2], v[3]}, {v[4], v[5]});
+		scene.surfaces.back().returned = v[0];
+		scene.surfaces.back().widest = v[1] * pi / 180;
+	}
+	else if (what == "posts")
+	{
+		need(v.size() == 6 && v[0] > 0 && v[1] > 0 && std::hypot(v[4] - v[2], v[5] - v[3]) <= 1000 * v[1],
+			 "radius spacing x1 y1 x2 y2', up to 1000 posts");
+		scene.addPosts(v[0], v[1], {v[2], v[3]}, {v[4], v[5]});
+	}
 	else if (what == "path")
 	{
 		need(v.size() >= 2 && v.size() % 2 == 0, "x1 y1 x2 y2 ...");
@@ -86,13 +101,34 @@ void readSceneLine(const FieldFile& file, const std::vector<std::string>& fields
 	else if (what == "mover")
 	{
 		need(v.size() == 6 && v[0] > 0 && v[1] >= 0, "radius speed x1 y1 x2 y2");
-		scene.movers.push_back({v[0], v[1], {v[2], v[3]}, {v[4], v[5]}});
+		scene.movers.push_back({v[0], v[1], {v[2], v[3]}, {v[4], v[5]}, {}});
 	}
 	else
 		file.fail("unknown word '" + what.substr(0, 40) + "'");
 }
 
+void readSceneLine(const FieldFile& file, std::vector<std::string> fields, Scene& scene)
+{
+	if (fields[0] != "during") return readThing(file, fields, scene);
+	if (fields.size() < 4 || fields[3] == "path") file.fail("expected 'during from to' and a thing, not the path");
+	const std::vector<double> times = file.numbers({fields[1], fields[2]}, 0);
+	if (!(times[0] < times[1])) file.fail("expected 'during from to' with rising times");
+	fields.erase(fields.begin(), fields.begin() + 3);
+	const std::size_t surfaces = scene.surfaces.size(), movers = scene.movers.size();
+	readThing(file, fields, scene);
+	const Presence when{times[0], times[1]};
+	for (std::size_t i = surfaces; i < scene.surfaces.size(); i++) scene.surfaces[i].when = when;
+	for (std::size_t i = movers; i < scene.movers.size(); i++) scene.movers[i].when = when;
+}
+
 }  // namespace
+
+double Surface::returnedAlong(double dx, double dy) const
+{
+	if (opaque()) return 1;
+	const double along = std::abs(dx * (shape.b.x - shape.a.x) + dy * (shape.b.y - shape.a.y)) / shape.length();
+	return std::asin(std::min(1.0, along)) <= widest ? returned : 0;
+}
 
 Point2 Mover::at(double time) const
 {
@@ -113,6 +149,14 @@ void Scene::addArc(Point2 centre, double radius, double from, double to)
 		return Point2{centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)};
 	};
 	for (int i = 0; i < n; i++) addWall(at(i), at(i + 1));
+}
+
+void Scene::addPosts(double radius, double spacing, Point2 a, Point2 b)
+{
+	const Segment row{a, b};
+	const double length = row.length();
+	const int gaps = int(std::floor(length / spacing * (1 + 1e-12)));
+	for (int i = 0; i <= gaps; i++) addArc(row.at(length > 0 ? i * spacing / length : 0), radius, 0, 2 * pi);
 }
 
 Scene hallwayScene()
@@ -148,7 +192,7 @@ Scene readScene(const std::string& path)
 	FieldFile file(path, "see ridgemap-simulate --help for the lines of a scene");
 	Scene scene;
 	for (std::vector<std::string> fields; file.next(fields);) readSceneLine(file, fields, scene);
-	if (scene.surfaces.empty()) file.fail("the scene has no wall and no arc");
+	if (scene.surfaces.empty()) file.fail("the scene has no surface");
 	if (scene.path.empty()) file.fail("the scene has no path");
 	return scene;
 }

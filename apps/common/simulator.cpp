@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulator.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace ridgemap::apps
@@ -42,7 +43,7 @@ Simulator::Simulator(const Scene& scene, std::uint64_t seed) : scene_(scene), ra
 {
 	for (std::size_t i = 0; i < scene_.surfaces.size(); i++)
 	{
-		const Segment& s = scene_.surfaces[i];
+		const Segment& s = scene_.surfaces[i].shape;
 		const int n = std::max(1, int(std::ceil(s.length() / pieceLength)));
 		for (int k = 0; k < n; k++)
 			pieces_.push_back({i, double(k) / n, double(k + 1) / n, s.at((k + 0.5) / n), false});
@@ -52,8 +53,32 @@ Simulator::Simulator(const Scene& scene, std::uint64_t seed) : scene_(scene), ra
 double Simulator::cast(const Point2& origin, double dx, double dy, double time) const
 {
 	double range = std::numeric_limits<double>::infinity();
-	for (const Segment& s : scene_.surfaces) range = std::min(range, castAt(s, origin, dx, dy));
-	for (const Mover& m : scene_.movers) range = std::min(range, castAt(m.at(time), m.radius, origin, dx, dy));
+	for (const Surface& s : scene_.surfaces)
+		if (s.opaque() && s.when.at(time)) range = std::min(range, castAt(s.shape, origin, dx, dy));
+	for (const Mover& m : scene_.movers)
+		if (m.when.at(time)) range = std::min(range, castAt(m.at(time), m.radius, origin, dx, dy));
+	return range;
+}
+
+std::vector<Simulator::Pane> Simulator::panes(const Point2& origin, double dx, double dy, double time,
+											  double range) const
+{
+	std::vector<Pane> result;
+	for (const Surface& s : scene_.surfaces)
+	{
+		if (s.opaque() || !s.when.at(time)) continue;
+		const Pane pane{castAt(s.shape, origin, dx, dy), s.returnedAlong(dx, dy)};
+		if (pane.range < range && pane.returned > 0) result.push_back(pane);
+	}
+	std::sort(result.begin(), result.end(), [](const Pane& a, const Pane& b) { return a.range < b.range; });
+	return result;
+}
+
+double Simulator::echo(const Point2& origin, double dx, double dy, double time)
+{
+	const double range = cast(origin, dx, dy, time);
+	for (const Pane& pane : panes(origin, dx, dy, time, range))
+		if (random_.chance(pane.returned)) return pane.range;
 	return range;
 }
 
@@ -62,18 +87,29 @@ std::vector<Simulator::Piece*> Simulator::look(const Pose& pose, double range, d
 	std::vector<Piece*> visible;
 	for (Piece& p : pieces_)
 	{
+		const Surface& surface = scene_.surfaces[p.surface];
 		const double dx = p.centre.x - pose.x, dy = p.centre.y - pose.y, r = std::hypot(dx, dy);
+		if (!surface.when.at(pose.time)) continue;
 		if (!(r > 0 && r <= range) || std::abs(wrapped(std::atan2(dy, dx) - pose.phi)) > halfAngle) continue;
 		if (cast({pose.x, pose.y}, dx / r, dy / r, pose.time) < r - 1e-6) continue;
+		if (!(surface.returnedAlong(dx / r, dy / r) > 0)) continue;
 		p.seen = true;
 		visible.push_back(&p);
 	}
 	return visible;
 }
 
+double Simulator::returnedFrom(const Piece& piece, const Pose& pose) const
+{
+	const double x = piece.centre.x - pose.x, y = piece.centre.y - pose.y, r = std::hypot(x, y);
+	double share = scene_.surfaces[piece.surface].returnedAlong(x / r, y / r);
+	for (const Pane& pane : panes({pose.x, pose.y}, x / r, y / r, pose.time, r - 1e-6)) share *= 1 - pane.returned;
+	return share;
+}
+
 Measurement Simulator::sample(const PaperSensor& sensor, const Pose& pose, const Piece& piece)
 {
-	const Point2 p = scene_.surfaces[piece.surface].at(random_.uniform(piece.from, piece.to));
+	const Point2 p = scene_.surfaces[piece.surface].shape.at(random_.uniform(piece.from, piece.to));
 	const double dx = p.x - pose.x, dy = p.y - pose.y, r = std::hypot(dx, dy);
 	const double along = sensor.depth.at(r) * random_.normal() / r;
 	const double across = sensor.transverse.at(r) * random_.normal() / r;
@@ -87,10 +123,10 @@ std::vector<Measurement> Simulator::measure(const PaperSensor& sensor, const Pos
 	double total = 0;
 	for (const Piece* p : visible)
 	{
-		const Segment& s = scene_.surfaces[p->surface];
+		const Segment& s = scene_.surfaces[p->surface].shape;
 		const double dx = p->centre.x - pose.x, dy = p->centre.y - pose.y;
 		const double turned = std::abs((s.b.x - s.a.x) * dy - (s.b.y - s.a.y) * dx) / std::hypot(dx, dy);
-		sum.push_back(total += turned * (p->to - p->from));
+		sum.push_back(total += returnedFrom(*p, pose) * turned * (p->to - p->from));
 	}
 	std::vector<Measurement> result;
 	const std::size_t count = total > 0 ? random_.poisson(sensor.rate) : 0;
@@ -116,7 +152,7 @@ std::vector<double> Simulator::scan(const LidarSensor& sensor, const Pose& pose)
 	{
 		const double share = sensor.beams > 1 ? double(i) / (sensor.beams - 1) - 0.5 : 0;
 		const double angle = pose.phi + share * sensor.fieldOfView;
-		double r = cast({pose.x, pose.y}, std::cos(angle), std::sin(angle), pose.time);
+		double r = echo({pose.x, pose.y}, std::cos(angle), std::sin(angle), pose.time);
 		if (random_.chance(sensor.outliers))
 			r = random_.uniform(0.1, sensor.maxRange);
 		else if (r <= sensor.maxRange)
@@ -136,8 +172,8 @@ std::vector<Segment> Simulator::truth() const
 		while (last + 1 < pieces_.size() && pieces_[last + 1].surface == first.surface &&
 			   pieces_[last + 1].seen == first.seen)
 			last++;
-		const Segment& s = scene_.surfaces[first.surface];
-		result.push_back({s.at(first.from), s.at(pieces_[last].to), first.seen});
+		const Surface& s = scene_.surfaces[first.surface];
+		if (s.when.always()) result.push_back({s.shape.at(first.from), s.shape.at(pieces_[last].to), first.seen});
 		i = last + 1;
 	}
 	return result;

@@ -58,7 +58,7 @@ class Simulator
 	/** Ranges of one scan from right to left; 0 for a beam without return. Marks the surface in view as seen. */
 	std::vector<double> scan(const LidarSensor& sensor, const Pose& pose);
 
-	/** The surfaces, cut where seen and unseen parts meet (to 2 cm). */
+	/** The surfaces that are there all the time, cut where seen and unseen parts meet (to 2 cm). */
 	std::vector<Segment> truth() const;
 
  private:
@@ -69,9 +69,21 @@ class Simulator
 		Point2 centre;
 		bool seen;
 	};
-	/** Range to the first surface or mover along a unit direction, infinite if there is none. */
+	/** A pane that a beam comes to. */
+	struct Pane
+	{
+		double range;     ///< [m]
+		double returned;  ///< share of beams along this one that come back
+	};
+	/** Range to the first mover or surface along a unit direction that lets no beam pass, infinite if there is none. */
 	double cast(const Point2& origin, double dx, double dy, double time) const;
+	/** What lets some beams pass, up to a range, the nearest first. */
+	std::vector<Pane> panes(const Point2& origin, double dx, double dy, double time, double range) const;
+	/** Range from which a beam comes back, infinite if it does not. */
+	double echo(const Point2& origin, double dx, double dy, double time);
 	std::vector<Piece*> look(const Pose& pose, double range, double halfAngle);
+	/** Share of beams towards the middle of a piece that come back from it. */
+	double returnedFrom(const Piece& piece, const Pose& pose) const;
 	Measurement sample(const PaperSensor& sensor, const Pose& pose, const Piece& piece);
 
 	const Scene scene_;

@@ -32,14 +32,14 @@ std::vector<Measurement> randomScene(Random& random, bool seen)
 		const double density = random.uniform(20, 300);
 		Scene surface;
 		if (random.chance(0.6))
-			surface.surfaces = {{p, {p.x + length * std::cos(angle), p.y + length * std::sin(angle)}}};
+			surface.addWall(p, {p.x + length * std::cos(angle), p.y + length * std::sin(angle)});
 		else
 		{
 			const double radius = random.uniform(0.2, 2), turn = random.uniform(1, 6.2);
 			surface.addArc(p, radius, angle, angle + turn);
 		}
 		const std::size_t before = points.size();
-		for (const Segment& s : surface.surfaces) addWall(points, s, density, noise, random);
+		for (const Surface& s : surface.surfaces) addWall(points, s.shape, density, noise, random);
 		if (seen) seeFrom({random.uniform(0, 12), random.uniform(0, 12)}, points, before);
 	}
 	for (std::size_t n = random.below(2000); n > 0; n--)

@@ -12,8 +12,11 @@ namespace
 constexpr const char* description =
 	"Simulates the drive of a robot through a scene whose true surfaces are known.\n\n"
 	"SCENE is hallway (6 m wide, with a corner of 90 degrees), wall, corner, or a text file with lines 'wall x1 y1 x2 "
-	"y2', 'arc cx cy radius from to' (degrees, counter-clockwise), 'path x1 y1 x2 y2 ...' (the way of the robot) and "
-	"'mover radius speed x1 y1 x2 y2' (a round thing going to and fro).\n\n"
+	"y2', 'arc cx cy radius from to' (degrees, counter-clockwise), 'glass share angle x1 y1 x2 y2' (returns this share "
+	"of the beams that come within that angle of its normal, in degrees), 'posts radius spacing x1 y1 x2 y2' (a row of "
+	"them), 'path x1 y1 x2 y2 ...' (the way of the robot) and 'mover radius speed x1 y1 x2 y2' (a round thing going to "
+	"and fro). All but the path can have 'during from to' in front: it is there at these times only, in seconds, and "
+	"does not count as true surface.\n\n"
 	"The same command gives the same bytes.";
 
 /** TCLAP takes strings only: numbers are read here, completely or not at all. */
