@@ -40,7 +40,7 @@ fail()
 run without X=1 || true
 [ -z "$(find "$folder" -name '*_walls.csv')" ] || fail "walls without the plug-in: the test is worthless"
 
-run with LD_PRELOAD="$library" || fail "observations2map failed with the plug-in (exit code $?)"
+run with LD_PRELOAD="$library${LD_PRELOAD:+:$LD_PRELOAD}" || fail "observations2map failed with the plug-in (exit code $?)"
 for ending in _ridges.csv _walls.csv .svg .3Dscene; do
 	[ "$(find "$folder" -name "with*CRidgeMap2D*$ending" -size +1k | wc -l)" -eq 1 ] || fail "no single file *$ending"
 done

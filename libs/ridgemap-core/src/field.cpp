@@ -143,7 +143,11 @@ void TileField::provideBins(const Taps& t, std::uint32_t mask, KernelSums* sums)
 std::uint32_t FieldPoint::provide(const double (&weights)[directionBins])
 {
 	std::uint32_t bins = 0;
-	for (std::uint32_t bin = 0; bin < directionBins; bin++) bins |= std::uint32_t(weights[bin] != 0) << bin;
+	for (std::uint32_t bin = 0; bin < directionBins; bin++)
+	{
+		const bool weighs = weights[bin] != 0;  // GCC 12 with -fsanitize=undefined loses what is indexed within a shift
+		bins |= std::uint32_t(weighs) << bin;
+	}
 	bins &= taps_.bins;
 	const std::uint32_t missing = bins & ~known_;
 	if (missing != 0) field_.provideBins(taps_, missing, sums_);
