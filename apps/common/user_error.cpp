@@ -10,12 +10,14 @@ namespace ridgemap::apps
 std::string oneLine(const std::exception& e)
 {
 	std::string text = e.what();
-	// The innermost of nested MRPT exceptions is the last one.
-	const std::string mark = "Message:";
-	if (const auto at = text.rfind(mark); at != std::string::npos && text.find("MRPT exception") != std::string::npos)
+	// The innermost of nested MRPT exceptions is the last one. Those of others, which went through functions of MRPT,
+	// have a title and a backtrace, but no mark.
+	if (const std::string title = "==== MRPT exception ===="; text.find(title) != std::string::npos)
 	{
-		text = text.substr(at + mark.size());
-		if (const auto end = text.find("\nLocation:"); end != std::string::npos) text.resize(end);
+		for (const std::string& mark : {title, std::string("Message:")})
+			if (const auto at = text.rfind(mark); at != std::string::npos) text = text.substr(at + mark.size());
+		for (const char* end : {"\nLocation:", "\nCall stack backtrace"})
+			if (const auto at = text.find(end); at != std::string::npos) text.resize(at);
 	}
 	std::string line;
 	for (const char c : text)

@@ -54,7 +54,7 @@ window()
 		sleep 0.5
 	done
 	import -window root "$shots/failed.png" || true
-	fail "no window '$1'"
+	fail "no window '$1'" >&2
 }
 
 # click <x> <y>: and gives the program time to answer.
