@@ -55,15 +55,16 @@ double noise(test::Random& random)
 	return sum;
 }
 
-/** A scan of slanted walls, both faces of a thin one and a few stray points, from a sensor that moves along a hallway. */
+/** A scan of slanted walls, both faces of a thin one and a few stray points, from a sensor that moves along a hallway.
+ */
 std::vector<Measurement> scanFrom(test::Random& random, double sensorX)
 {
 	struct Wall
 	{
 		Point2 from, to;
 	};
-	const Wall walls[] = {{{0, 0}, {12, 1.5}}, {{12, 1.5}, {11, 6}}, {{11, 6}, {-0.5, 5}}, {{4, 2.5}, {4.1, 4.5}},
-						  {{-0.5, 5}, {0, 0}}, {{7, 3}, {8, 3.6}}};
+	const Wall walls[] = {{{0, 0}, {12, 1.5}},    {{12, 1.5}, {11, 6}}, {{11, 6}, {-0.5, 5}},
+						  {{4, 2.5}, {4.1, 4.5}}, {{-0.5, 5}, {0, 0}},  {{7, 3}, {8, 3.6}}};
 	std::vector<Measurement> scan;
 	const double sensorY = 1.5 + 0.1 * sensorX;
 	for (const Wall& w : walls)
@@ -73,8 +74,7 @@ std::vector<Measurement> scanFrom(test::Random& random, double sensorX)
 			scan.push_back({w.from.x + t * (w.to.x - w.from.x) + 0.015 * noise(random),
 							w.from.y + t * (w.to.y - w.from.y) + 0.015 * noise(random), sensorX, sensorY});
 		}
-	for (int i = 0; i < 5; i++)
-		scan.push_back({random.uniform(0.5, 11), random.uniform(1.5, 4.5), sensorX, sensorY});
+	for (int i = 0; i < 5; i++) scan.push_back({random.uniform(0.5, 11), random.uniform(1.5, 4.5), sensorX, sensorY});
 	return scan;
 }
 }  // namespace

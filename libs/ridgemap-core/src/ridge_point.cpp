@@ -14,18 +14,56 @@ constexpr double goodNormal = 1e-3, fairNormal = 0.02;
 /** How often a normal is improved; two are enough on most surfaces. */
 constexpr int mostNormals = 6;
 
-/** Unit eigenvector of the larger eigenvalue of (xx xy; xy yy), by half-angle formulas. */
-Vec2 majorEigenvector(double halfDifference, double xy, double radius)
+/** Eigenvalues of the Hessian, lambda1 <= lambda2, and their unit eigenvectors. */
+struct Axes
 {
-	if (!(radius > 0)) return {1, 0};
-	const double c = halfDifference / radius;
-	if (c >= 0)
+	double lambda1, lambda2;
+	Vec2 v1, v2;
+
+	/** By half-angle formulas. */
+	explicit Axes(const KernelSums& s)
 	{
-		const double x = std::sqrt(0.5 * (1 + c));
-		return {x, 0.5 * xy / (radius * x)};
+		const double mean = 0.5 * (s.hxx + s.hyy), half = 0.5 * (s.hxx - s.hyy);
+		const double radius = std::sqrt(half * half + s.hxy * s.hxy);
+		lambda1 = mean - radius;
+		lambda2 = mean + radius;
+		v2 = {1, 0};
+		if (const double c = half / radius; radius > 0)
+		{
+			const double larger = std::sqrt(0.5 * (1 + std::abs(c))), smaller = 0.5 * s.hxy / (radius * larger);
+			v2 = c >= 0 ? Vec2{larger, smaller} : Vec2{smaller, larger};
+		}
+		v1 = leftNormal(v2);
 	}
-	const double y = std::sqrt(0.5 * (1 - c));
-	return {0.5 * xy / (radius * y), y};
+
+	/** Gives v1 the sense of `normal`. */
+	void orient(Vec2 normal)
+	{
+		if (!(dot(v1, normal) < 0)) return;
+		v1 = -v1;
+		v2 = -v2;
+	}
+};
+
+RidgePoint ridgePointOf(Vec2 p, const KernelSums& s, const Axes& axes)
+{
+	RidgePoint r;
+	r.p = p;
+	r.occupancy = s.value;
+	r.gradient = {s.gx, s.gy};
+	r.lambda1 = axes.lambda1;
+	r.lambda2 = axes.lambda2;
+	r.v1 = axes.v1;
+	r.v2 = axes.v2;
+	r.f = dot(r.gradient, r.v1);
+	const Vec2 a = r.v1, b = r.v2;
+	const double tx = s.txxx * a.x * b.x + s.txxy * (a.x * b.y + a.y * b.x) + s.txyy * a.y * b.y;
+	const double ty = s.txxy * a.x * b.x + s.txyy * (a.x * b.y + a.y * b.x) + s.tyyy * a.y * b.y;
+	const double gap = r.lambda1 - r.lambda2;
+	const double k = gap < 0 ? dot(r.gradient, b) / gap : 0;
+	r.third = {tx, ty};
+	r.df = {r.lambda1 * a.x + k * tx, r.lambda1 * a.y + k * ty};
+	return r;
 }
 
 /** The density turns with v1: what that adds to the gradient of f. */
@@ -43,25 +81,7 @@ void addTurn(const FieldTurn& turn, RidgePoint& r)
 
 RidgePoint makeRidgePoint(Vec2 p, const KernelSums& s)
 {
-	RidgePoint r;
-	r.p = p;
-	r.occupancy = s.value;
-	r.gradient = {s.gx, s.gy};
-	const double mean = 0.5 * (s.hxx + s.hyy), half = 0.5 * (s.hxx - s.hyy);
-	const double radius = std::sqrt(half * half + s.hxy * s.hxy);
-	r.lambda1 = mean - radius;
-	r.lambda2 = mean + radius;
-	r.v2 = majorEigenvector(half, s.hxy, radius);
-	r.v1 = leftNormal(r.v2);
-	r.f = dot(r.gradient, r.v1);
-	const Vec2 a = r.v1, b = r.v2;
-	const double tx = s.txxx * a.x * b.x + s.txxy * (a.x * b.y + a.y * b.x) + s.txyy * a.y * b.y;
-	const double ty = s.txxy * a.x * b.x + s.txyy * (a.x * b.y + a.y * b.x) + s.tyyy * a.y * b.y;
-	const double gap = r.lambda1 - r.lambda2;
-	const double k = gap < 0 ? dot(r.gradient, b) / gap : 0;
-	r.third = {tx, ty};
-	r.df = {r.lambda1 * a.x + k * tx, r.lambda1 * a.y + k * ty};
-	return r;
+	return ridgePointOf(p, s, Axes(s));
 }
 
 RidgePoint evaluateRidge(FieldPoint& point, Vec2 normal)
@@ -70,26 +90,26 @@ RidgePoint evaluateRidge(FieldPoint& point, Vec2 normal)
 	double before = 0;
 	for (int i = 0;; i++)
 	{
-		RidgePoint r = makeRidgePoint(point.place(), point.sum(weights));
-		if (!(r.occupancy > 0)) return r;
-		if (dot(r.v1, normal) < 0)
+		const KernelSums sums = point.sum(weights);
+		Axes axes(sums);
+		if (!(sums.value > 0)) return ridgePointOf(point.place(), sums, axes);
+		axes.orient(normal);
+		const double off = std::abs(cross(normal, axes.v1));
+		bool settled = off < goodNormal;
+		if (!settled)
 		{
-			r.v1 = -r.v1;
-			r.v2 = -r.v2;
-			r.f = -r.f;
-			r.df = -r.df;
+			const SideWeights next(axes.v1);
+			settled = next == weights;
+			weights = next;
 		}
-		const double off = std::abs(cross(normal, r.v1));
-		const SideWeights next(r.v1);
-		const bool settled = off < goodNormal || next == weights;
 		if (settled || i == mostNormals || (i > 1 && off > 0.8 * before))
 		{
+			RidgePoint r = ridgePointOf(point.place(), sums, axes);
 			addTurn(point.turn(r.v1), r);
 			if (!settled && off > fairNormal) r.response = std::numeric_limits<double>::infinity();
 			return r;
 		}
-		normal = r.v1;
-		weights = next;
+		normal = axes.v1;
 		before = off;
 	}
 }
