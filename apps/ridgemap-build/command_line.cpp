@@ -141,7 +141,8 @@ struct Arguments
 		"Where to write: PREFIX.ridgemap, PREFIX_ridges.csv, PREFIX_walls.csv, PREFIX_measurements.csv, PREFIX.png, "
 		"PREFIX.svg, PREFIX.3Dscene and PREFIX_stats.json. The formats ridge_vertices and wall_vertices "
 		"(PREFIX_ridge_vertices.csv, "
-		"PREFIX_wall_vertices.csv) hold occupancy, noise, standard error and 95 % interval of every node, too",
+		"PREFIX_wall_vertices.csv) hold occupancy, noise, standard error and 95 % interval of every node, too; removed "
+		"(PREFIX_removed.csv) what the walls leave out as rays passed through it",
 		false,
 		"",
 		"PREFIX",
@@ -213,7 +214,8 @@ void check(const CommandLine& c)
 const std::vector<std::string>& allFormats()
 {
 	static const std::vector<std::string> names{"ridgemap", "ridges",  "walls", "measurements",   "png",
-												"svg",      "3dscene", "stats", "ridge_vertices", "wall_vertices"};
+												"svg",      "3dscene", "stats", "ridge_vertices", "wall_vertices",
+												"removed"};
 	return names;
 }
 

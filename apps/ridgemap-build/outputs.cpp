@@ -84,7 +84,8 @@ std::string Outputs::pathOf(const std::string& format) const
 															 {"3dscene", ".3Dscene"},
 															 {"stats", "_stats.json"},
 															 {"ridge_vertices", "_ridge_vertices.csv"},
-															 {"wall_vertices", "_wall_vertices.csv"}};
+															 {"wall_vertices", "_wall_vertices.csv"},
+															 {"removed", "_removed.csv"}};
 	return prefix_ + suffixes.at(format);
 }
 
@@ -159,6 +160,7 @@ void Outputs::write(const CRidgeMap2D& map, const std::vector<std::vector<Point2
 			 [&](AtomicFile& file) { writeGzArchive(file, [&](mrpt::serialization::CArchive& out) { out << map; }); });
 		keep("ridges", [&](AtomicFile& file) { writePolylinesCsv(file.stream(), map.ridges()); });
 		keep("walls", [&](AtomicFile& file) { writePolylinesCsv(file.stream(), map.walls()); });
+		keep("removed", [&](AtomicFile& file) { writePolylinesCsv(file.stream(), map.core().clearedWalls()); });
 		const double sigma = map.options().sigma;
 		keep("ridge_vertices", [&](AtomicFile& file) { writeVerticesCsv(file.stream(), map.ridges(), sigma); });
 		keep("wall_vertices", [&](AtomicFile& file) { writeVerticesCsv(file.stream(), map.walls(), sigma); });

@@ -146,6 +146,35 @@ TEST_F(OutputFiles, verticesOnDemand)
 	EXPECT_EQ(readFile(dir / "map.svg").find("standard error [mm]"), std::string::npos);
 }
 
+TEST(Removed, isWhatRaysPassedThrough)
+{
+	const TempDir dir;
+	std::string points;
+	for (int scan = 0; scan < 20; scan++)
+		for (int i = 0; i <= 100; i++)
+		{
+			// In two scans, something stands half-way.
+			const double share = scan < 2 && i > 20 && i < 80 ? 0.5 : 1;
+			points += std::to_string(1 + share * (0.03 * i - 1.5)) + " " + std::to_string(2 * share) + " 1 0\n";
+		}
+	writeFile(dir / "points.txt", points);
+	ASSERT_EQ(
+		runBuild({dir / "points.txt", "-o", dir / "r", "--formats", "walls,removed", "-q", "--sigma", "0.05"}).code, 0);
+	const auto expectAllAt = [&](const std::string& file, double height)
+	{
+		std::istringstream in(readFile(dir / file));
+		std::string line;
+		std::getline(in, line);
+		int nodes = 0, number = 0;
+		for (double x, y; std::getline(in, line) && std::sscanf(line.c_str(), "%d,%lf,%lf", &number, &x, &y) == 3;
+			 nodes++)
+			EXPECT_NEAR(y, height, 0.02) << line;
+		EXPECT_GE(nodes, 2) << file;
+	};
+	expectAllAt("r_walls.csv", 2);
+	expectAllAt("r_removed.csv", 1);
+}
+
 TEST_F(OutputFiles, infoAgreesWithTheStatistics)
 {
 	const RunResult json = runInfo({dir / "map.ridgemap", "--json"});

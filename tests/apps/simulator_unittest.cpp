@@ -48,8 +48,17 @@ TEST(Simulator, ThingsAreThereWhileTheSceneSaysSo)
 		"wall 8 -5 8 5\nduring 10 20 wall 4 -1 4 1\nduring 15 30 arc 3 0 1 0 360\nduring 30 40 mover 0.5 0 2 0 2 1\n"
 		"during 50 1e6 glass 1 90 1 -1 1 1\npath 0 0\n");
 	Simulator simulator(scene, 1);
-	for (const auto& [time, range] : {std::pair(0.0, 8.0), {9.99, 8.0}, {10.0, 4.0}, {14.99, 4.0}, {15.0, 2.0},
-									  {20.0, 2.0}, {29.0, 2.0}, {30.0, 1.5}, {39.9, 1.5}, {40.0, 8.0}, {50.0, 1.0}})
+	for (const auto& [time, range] : {std::pair(0.0, 8.0),
+									  {9.99, 8.0},
+									  {10.0, 4.0},
+									  {14.99, 4.0},
+									  {15.0, 2.0},
+									  {20.0, 2.0},
+									  {29.0, 2.0},
+									  {30.0, 1.5},
+									  {39.9, 1.5},
+									  {40.0, 8.0},
+									  {50.0, 1.0}})
 		EXPECT_NEAR(rangeAlong(simulator, 0, time), range, 1e-4) << time;
 	// What is not always there is not part of the truth.
 	ASSERT_FALSE(simulator.truth().empty());
