@@ -67,6 +67,14 @@ std::shared_ptr<CRidgeMap2D> ridgeMap()
 	return std::make_shared<CRidgeMap2D>();
 }
 
+/** Without viewing directions and free space: the map of the paper. */
+std::shared_ptr<CRidgeMap2D> plainRidgeMap()
+{
+	ridgemap::Options options;
+	options.sides = options.freeSpace = false;
+	return std::make_shared<CRidgeMap2D>(options);
+}
+
 CMetricMap::Ptr pointsMap()
 {
 	auto map = std::make_shared<mrpt::maps::CSimplePointsMap>();
@@ -277,9 +285,14 @@ void registerAll(const std::string& data, GetScans get)
 													{"grid 1 cm", [] { return grid(0.01f); }},
 													{"points map", pointsMap}};
 	const auto update = [](CMetricMap& m) { dynamic_cast<CRidgeMap2D&>(m).update(); };
-	add("one scan, " + data + "/ridge map, polylines after every scan", 1, insertScans, get, MakeMap(ridgeMap), update);
-	for (const auto& [name, make] : maps)
-		add("one scan, lazily, " + data + "/" + name, 1, insertScans, get, make, nullptr);
+	const MakeMap plain = [] { return plainRidgeMap(); };
+	const std::string upToDate = "one scan, polylines up to date, " + data + "/",
+					  lazily = "one scan, lazily, " + data + "/";
+	add(upToDate + "ridge map", 1, insertScans, get, maps[0].second, update);
+	add(upToDate + "ridge map, plain density", 1, insertScans, get, plain, update);
+	add(upToDate + "grid 1 cm", 1, insertScans, get, maps[3].second, nullptr);
+	for (const auto& [name, make] : maps) add(lazily + name, 1, insertScans, get, make, nullptr);
+	add(lazily + "ridge map, plain density", 1, insertScans, get, plain, nullptr);
 	for (const auto& [name, make] : maps) add("whole map, " + data + "/" + name, 3, buildMap, get, make);
 	for (const auto& [name, make] : maps) add("copy, " + data + "/" + name, 20, copyMap, get, make);
 	for (const auto& [name, make] : maps) add("copy and insert, " + data + "/" + name, 20, copyAndInsert, get, make);

@@ -237,6 +237,9 @@ void registerAll()
 	};
 	for (const int n : {25, 50, 100, 200, 400, 800, 1600, 3200, 6400})
 		update("update with measurements/" + std::to_string(n), std::size_t(n), 10000, 0);
+	// A twentieth of what the region holds is new, as on a drive.
+	for (const int n : {100, 400, 1600, 6400})
+		update("update of a region that holds/" + std::to_string(n), std::size_t(n / 20), std::size_t(n - n / 20), 0);
 	update("finer smoothing/sigma 0.1 m", 400, 10000, 0);
 	update("finer smoothing/sigma 0.05 m", 400, 10000, 0, 0.05);
 	update("flatness/ridge map", 400, 10000, 0);
