@@ -11,7 +11,7 @@ usage="usage: scripts/dynamic_table.sh [DIRECTORY]
   to DIRECTORY (default: dynamic-output)"
 case ${1:-} in --help) printf '%s\n' "$usage" && exit ;; esac
 out=$(realpath -m "${1:-$root/dynamic-output}")
-build release ridgemap-simulate ridgemap-build ridgemap-eval grid-ghosts >"$root/build-dynamic.log" || die "see build-dynamic.log"
+build release ridgemap-simulate ridgemap-build ridgemap-eval free-space-judge >"$root/build-dynamic.log" || die "see build-dynamic.log"
 rm -f "$root/build-dynamic.log"
 mkdir -p "$out"
 bin="$root/build/bin"
@@ -65,6 +65,6 @@ for people in 5 20; do
 			row "$people" "$noise" "$tau" "$(figure spurious <<<"$ghosts")" "$(figure complete <<<"$near")" \
 				"$(figure RMSD <<<"$ghosts")" "$(figure within <<<"$ghosts")"
 		done
-		row "$people" "$noise" grid "$("$bin/grid-ghosts" "$data.simplemap.gz" "${data}_truth.csv")" - - -
+		row "$people" "$noise" grid "$("$bin/free-space-judge" ghosts "$data.simplemap.gz" "${data}_truth.csv")" - - -
 	done
 done
