@@ -119,12 +119,22 @@ bool isFinite(const Polyline& line)
 	return line.points.size() >= 2 && line.info.size() == line.points.size();
 }
 
-/** Checks a map of the points and gives the work per tile. */
-double check(const Points& points, const Options& options, Point2 shift, const std::string& what)
+/** Checks a map of the points and gives the work per tile.
+ * @param sensors from which the points were seen in turn, in units of sigma; if empty, that is not known */
+double check(const Points& points, const Options& options, Point2 shift, const std::string& what,
+			 const Points& sensors = {})
 {
+	const auto placed = [&](Point2 p) { return Point2{shift.x + options.sigma * p.x, shift.y + options.sigma * p.y}; };
 	std::vector<Measurement> measurements;
-	for (const Point2& p : points)
-		measurements.push_back({shift.x + options.sigma * p.x, shift.y + options.sigma * p.y});
+	for (std::size_t i = 0; i < points.size(); i++)
+	{
+		const Point2 p = placed(points[i]);
+		measurements.push_back({p.x, p.y});
+		if (sensors.empty()) continue;
+		const Point2 s = placed(sensors[i % sensors.size()]);
+		measurements.back().sensorX = s.x;
+		measurements.back().sensorY = s.y;
+	}
 	RidgeMap map(options);
 	map.insert(measurements);
 	const UpdateResult r = map.update();
@@ -140,6 +150,12 @@ double check(const Points& points, const Options& options, Point2 shift, const s
 	RidgeMap other(options);
 	for (const Measurement& m : measurements) other.insert({m});
 	EXPECT_EQ(firstDifference(map.ridges(), other.ridges()), "") << what;
+	if (!sensors.empty())
+	{
+		EXPECT_EQ(firstDifference(map.walls(), other.walls()), "") << what;
+		map.erase(measurements);
+		EXPECT_TRUE(map.empty() && map.cells().empty() && map.freeCells().empty()) << what;
+	}
 	return perTile;
 }
 }  // namespace
@@ -173,6 +189,27 @@ TEST(Adversaries, AtTheEdgesOfTheWorld)
 				worst = std::max(worst, check(a.points, options, shift, a.name + ", sigma " + std::to_string(sigma)));
 		}
 	std::cout << "most evaluations per tile: " << worst << "\n";
+}
+
+TEST(Adversaries, SeenFromBothSidesAndFromWithin)
+{
+	double worst = 0;
+	std::string where;
+	for (const Adversary& a : adversaries())
+		for (const double sigma : {1e-3, 0.05, 1e3})
+		{
+			Options options;
+			options.sigma = sigma;
+			const std::string what = a.name + ", sigma " + std::to_string(sigma);
+			// From above and below, and along a line; from within the shape, and from one of its points.
+			for (const Points& sensors :
+				 {Points{{5, 40}, {6, -40}, {-60, 0}}, Points{{0, 0}, {4.1, 3.9}, a.points[a.points.size() / 2]}})
+			{
+				const double perTile = check(a.points, options, {}, what, sensors);
+				if (perTile > worst) worst = perTile, where = what;
+			}
+		}
+	std::cout << "most evaluations per tile: " << worst << " (" << where << ")\n";
 }
 
 TEST(Adversaries, DensitiesFromOneToAMillionPerMetre)

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "free_cut.h"
 #include "free_space.h"
@@ -60,6 +61,25 @@ TEST(FreeSpace, CountsEveryRayOnce)
 	EXPECT_GT(expected.size(), 5000u);
 	EXPECT_TRUE(space.cells() == expected);
 	EXPECT_EQ(space.cellCount(), expected.size());
+}
+
+TEST(FreeSpace, MemoryIsThatOfTheTilesThatRaysPassed)
+{
+	Random random(2);
+	FreeSpace space{Options()};
+	EXPECT_EQ(space.memoryBytes(), 0u);
+	const auto all = randomMeasurements(random, 100);
+	space.insert(all);
+	std::set<std::pair<std::int32_t, std::int32_t>> tiles;
+	for (const FreeCellRecord& c : space.cells())
+	{
+		const TileKey key = CounterTile::keyOf(c.cx, c.cy);
+		tiles.insert({key.x, key.y});
+	}
+	EXPECT_GT(tiles.size(), 20u);
+	EXPECT_EQ(space.memoryBytes(), tiles.size() * sizeof(CounterTile));
+	space.erase(all);
+	EXPECT_EQ(space.memoryBytes(), 0u);
 }
 
 TEST(FreeSpace, EveryStretchOfARayCountsAsItsWalkSays)

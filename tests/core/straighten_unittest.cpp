@@ -313,6 +313,35 @@ TEST(CorrectBends, RingsComeOutWithTheirRadius)
 		}
 }
 
+TEST(CorrectBends, MovesVerticesOfRidgesOnly)
+{
+	Options o;
+	o.sigma = 1;
+	o.straighten = o.correctBends = false;
+	RidgeMap map(o);
+	map.insert(SceneBuilder(7, 1, 0.2, 120).circle({0, 0}, 5).finish());
+	ASSERT_EQ(map.walls().size(), 1u);
+	Polyline ring = map.walls()[0];
+	ASSERT_TRUE(ring.closed);
+	ASSERT_GT(ring.points.size(), 12u);
+	// What other passes have made, or drawn as a line, lies on the surface already.
+	for (std::size_t k = 1; k + 1 < ring.points.size(); k++)
+	{
+		if (k % 3 == 1) ring.info[k].origin = VertexOrigin::junction;
+		if (k % 3 == 2) ring.info[k].shape = WallShape::line;
+	}
+	const Polyline moved = correctBends(ring, o);
+	for (std::size_t k = 1; k + 1 < ring.points.size(); k++)
+	{
+		const Point2 &p = ring.points[k], &q = moved.points[k];
+		const double outward = std::hypot(q.x, q.y) - std::hypot(p.x, p.y);
+		if (k % 3 == 0)
+			EXPECT_NEAR(outward, trueRadius(std::hypot(p.x, p.y), 1) - std::hypot(p.x, p.y), 0.05) << k;
+		else
+			EXPECT_TRUE(p == q) << k;
+	}
+}
+
 TEST(Straighten, ErrorsThatNoiseDoesNotExplainAreSeen)
 {
 	// Waves of 8 samples about a line, an arc and a step between two lines: a parabola takes none of them up, so the

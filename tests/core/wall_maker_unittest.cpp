@@ -81,6 +81,44 @@ TEST(WallMaker, FollowsEveryHistoryToTheBit)
 	EXPECT_GT(walls, std::size_t(scenes) * 25);
 }
 
+TEST(WallMaker, AStraightWallEndsOnAnotherWithoutABend)
+{
+	// A line fitted to a wall is another one than the ridge to which an end was led: that end then goes on, or back,
+	// along its own line, until it is on the wall.
+	int ends = 0, straight = 0;
+	for (std::uint64_t seed = 1; seed <= 12; seed++)
+	{
+		SceneBuilder scene(seed, 1, 0.35, 8);
+		scene.wall({0, 0}, {70, 0}).wall({35, 0}, {35, 40});
+		Options o;
+		o.sigma = 1;
+		RidgeMap map(o);
+		map.insert(scene.finish({}, 0.3 * double(seed)));
+		for (const Polyline& stem : map.walls())
+			for (const bool back : {false, true})
+			{
+				const auto vertex = [&](std::size_t k)
+				{
+					const Point2& p = stem.points[back ? stem.points.size() - 1 - k : k];
+					return Vec2{p.x, p.y};
+				};
+				double gap = 1;
+				for (const Polyline& bar : map.walls())
+					for (std::size_t k = 1; &bar != &stem && k < bar.points.size(); k++)
+						gap = std::min(gap, footOnSegment({bar.points[k - 1].x, bar.points[k - 1].y},
+														  {bar.points[k].x, bar.points[k].y}, vertex(0))
+												.distance);
+				if (gap == 1) continue;  // a free end
+				EXPECT_LT(gap, 1e-9) << "seed " << seed;
+				ends++;
+				straight += norm(vertex(1) - vertex(0)) > 5;  // no vertex only to close a gap
+			}
+	}
+	std::cout << straight << " of " << ends << " ends have no vertex only to close a gap\n";
+	EXPECT_GE(ends, 12);
+	EXPECT_GE(straight, 7);
+}
+
 TEST(WallMaker, TouchesOnlyWhatChanged)
 {
 	// A street of 30 rooms, each a ring of its own; one of them is measured again.

@@ -4,16 +4,20 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <optional>
+#include <thread>
 
 #include "damage.h"
 #include "memory_peak.h"
@@ -374,6 +378,41 @@ TEST(AtomicFiles, ADiskThatFailsIsAnErrorThatLeavesTheOldFile)
 	syncFails() = false;
 	EXPECT_TRUE(contentOf(path) == before);
 	EXPECT_EQ(folder.files(), 1u) << "a temporary file stays";
+}
+
+TEST(AtomicFiles, AProcessKilledWhileItSavesLeavesTheOldMapOrTheNewOne)
+{
+	const Folder folder;
+	const std::string path = folder / "a.ridgemap";
+	const CRidgeMap2D map = mapOfRoom(4000);
+	CRidgeMap2D old;
+	old.insertMeasurements({{1, 2}});
+	const Bytes before = bytesOf(old), after = bytesOf(map);
+	const auto start = std::chrono::steady_clock::now();
+	saveRidgeMap(path, map);
+	const auto takes = std::chrono::steady_clock::now() - start;
+	saveRidgeMap(path, old);
+	int killed = 0;
+	const int times = 100;
+	for (int i = 0; i < times; i++)
+	{
+		const pid_t child = fork();
+		if (child == 0)
+		{
+			saveRidgeMap(path, map);
+			_exit(0);
+		}
+		std::this_thread::sleep_for(2 * i * takes / times);
+		kill(child, SIGKILL);
+		int status = 0;
+		waitpid(child, &status, 0);
+		killed += WIFSIGNALED(status);
+		const std::optional<Bytes> now = loaded(path);
+		ASSERT_TRUE(now == before || now == after) << i;
+		if (now == after) saveRidgeMap(path, old);
+	}
+	std::cout << killed << " of " << times << " were killed before they had saved\n";
+	EXPECT_GT(killed, times / 4);
 }
 
 TEST(FullDisk, LeavesTheOldFile)
