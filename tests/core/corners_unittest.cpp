@@ -111,12 +111,10 @@ TEST(SharpenCorners, EveryPointStaysNearTheRidge)
 	for (std::uint64_t seed = 1; seed <= 10; seed++)
 	{
 		const RandomScene scene = randomScene(seed);
-		Options o;
-		o.sigma = scene.sigma;
-		RidgeMap map(o);
+		RidgeMap map(scene.options());
 		map.insert(scene.measurements);
 		for (std::size_t i = 0; i < map.ridges().size(); i++)
-			for (const Point2& p : sharpenCorners(map.ridges()[i], o).points)
+			for (const Point2& p : sharpenCorners(map.ridges()[i], scene.options()).points)
 			{
 				double best = 1e30;
 				for (const Point2& q : map.ridges()[i].points) best = std::min(best, std::hypot(p.x - q.x, p.y - q.y));

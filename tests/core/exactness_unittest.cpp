@@ -18,13 +18,6 @@ int sceneCount(int byDefault)
 	return fromEnvironment("RIDGEMAP_SCENES", byDefault);
 }
 
-Options optionsFor(const RandomScene& scene)
-{
-	Options o;
-	o.sigma = scene.sigma;
-	return o;
-}
-
 std::string describe(const RandomScene& scene)
 {
 	return "scene with seed " + std::to_string(scene.seed) + ", sigma " + std::to_string(scene.sigma) + ": " +
@@ -117,7 +110,7 @@ TEST(Exactness, EverySampleIsWithinTighterEps)
 	for (int i = -1; i < sceneCount(5); i++)
 	{
 		const RandomScene scene = randomScene(i < 0 ? 4030 : 4000 + std::uint64_t(i));
-		Options options = optionsFor(scene);
+		Options options = scene.options();
 		options.cell = 0.125;
 		options.cutoff = 7;
 		options.eps = scene.sigma / 500;
@@ -144,7 +137,7 @@ TEST(Exactness, SegmentsHideNoS)
 		builder.wall({0, 0}, {400, 0});
 		for (int k = 0; k < 8; k++) builder.wall({50.0 * k, 0}, {56.0 * k, 0.3});
 		scene.measurements = builder.outliers(std::size_t(400 * c.density), {0, -3}, {400, 3}).finish();
-		Options options = optionsFor(scene);
+		Options options = scene.options();
 		options.eps = c.eps * scene.sigma;
 		RidgeMap map(options);
 		map.insert(scene.measurements);
@@ -158,7 +151,7 @@ TEST(Exactness, CoverageIsComplete)
 	for (int i = 0; i < sceneCount(25); i++)
 	{
 		const RandomScene scene = randomScene(5000 + std::uint64_t(i));
-		RidgeMap map(optionsFor(scene));
+		RidgeMap map(scene.options());
 		map.insert(scene.measurements);
 		const Coverage c =
 			measureCoverage(Oracle(scene.measurements, scene.sigma), scene.measurements, map.ridges(), map.options());
@@ -181,7 +174,7 @@ TEST(Exactness, NothingIsDrawnTwice)
 	for (int i = 0; i < sceneCount(60); i++)
 	{
 		const RandomScene scene = randomScene(6000 + std::uint64_t(i));
-		RidgeMap map(optionsFor(scene));
+		RidgeMap map(scene.options());
 		map.insert(scene.measurements);
 		const double here = duplicatedLength(map.ridges(), map.options()) / scene.sigma;
 		EXPECT_LE(here, 1) << "[sigma], " << describe(scene);
@@ -198,7 +191,7 @@ TEST(Exactness, CrossingsAreStitched)
 	for (int i = 0; i < sceneCount(60); i++)
 	{
 		const RandomScene scene = randomScene(7000 + std::uint64_t(i));
-		RidgeMap map(optionsFor(scene));
+		RidgeMap map(scene.options());
 		map.insert(scene.measurements);
 		const MapStatistics s = map.statistics();
 		EXPECT_EQ(s.unstitchedCrossings, 0u) << describe(scene);
@@ -217,7 +210,7 @@ TEST(Exactness, EveryTraceEndsForAReasonOfTheDensity)
 	for (int i = 0; i < sceneCount(60); i++)
 	{
 		const RandomScene scene = randomScene(7000 + std::uint64_t(i));
-		RidgeMap map(optionsFor(scene));
+		RidgeMap map(scene.options());
 		map.insert(scene.measurements);
 		const UpdateResult u = map.update();
 		for (const StopReason r : {StopReason::noConvergence, StopReason::workLimit, StopReason::unregisteredExit})
@@ -241,7 +234,7 @@ TEST(Exactness, WallsHaveNoFragmentsAndNoDanglingEnds)
 	for (const std::uint64_t seed : seeds)
 	{
 		const RandomScene scene = randomScene(seed);
-		RidgeMap map(optionsFor(scene));
+		RidgeMap map(scene.options());
 		map.insert(scene.measurements);
 		for (const Polyline& wall : map.walls()) EXPECT_GE(wall.length(), 2 * scene.sigma) << describe(scene);
 		EXPECT_EQ(danglingEnds(map.walls(), 1.5 * scene.sigma), 0u) << describe(scene);

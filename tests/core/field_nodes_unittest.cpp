@@ -167,8 +167,7 @@ TEST(FieldNodes, InterpolationAgreesWithTheSumOfAllCells)
 	for (std::uint64_t seed = 500; seed < 510; seed++)
 	{
 		const RandomScene scene = randomScene(seed, 2);
-		Options o;
-		o.sigma = scene.sigma;
+		Options o = scene.options();
 		o.cutoff = 8;  // so that only the interpolation is seen
 		Lattice lattice(o);
 		lattice.insert(scene.measurements);
@@ -206,8 +205,7 @@ TEST(FieldNodes, InterpolationAgreesWithTheSumOfAllCells)
 TEST(FieldNodes, TheSamePointHasTheSameBitsInEveryTile)
 {
 	const RandomScene scene = randomScene(520, 3);
-	Options o;
-	o.sigma = scene.sigma;
+	Options o = scene.options();
 	Lattice lattice(o);
 	lattice.insert(scene.measurements);
 	lattice.refresh();

@@ -93,8 +93,7 @@ class Purity : public testing::TestWithParam<Kind>
  protected:
 	Options optionsFor(const RandomScene& scene) const
 	{
-		Options o;
-		o.sigma = scene.sigma;
+		Options o = scene.options();
 		o.cell = GetParam().cell;
 		o.stepRule = GetParam().stepRule;
 		o.seedRule = GetParam().seedRule;

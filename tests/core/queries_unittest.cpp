@@ -12,16 +12,9 @@ namespace ridgemap::test
 {
 namespace
 {
-Options optionsFor(const RandomScene& scene)
-{
-	Options o;
-	o.sigma = scene.sigma;
-	return o;
-}
-
 RidgeMap mapOf(const RandomScene& scene)
 {
-	RidgeMap map(optionsFor(scene));
+	RidgeMap map(scene.options());
 	map.insert(scene.measurements);
 	return map;
 }

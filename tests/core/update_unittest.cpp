@@ -18,13 +18,6 @@ namespace ridgemap::test
 {
 namespace
 {
-Options optionsFor(const RandomScene& scene)
-{
-	Options o;
-	o.sigma = scene.sigma;
-	return o;
-}
-
 /** A copy of the ridges of a map, kept up to date by what its updates report only. */
 class Replay
 {
@@ -97,7 +90,7 @@ TEST(UpdateResult, ReplayingItsIdsReproducesTheMap)
 		Random random(seed);
 		std::vector<Measurement> all = scene.measurements, present;
 		random.shuffle(all);
-		RidgeMap map(optionsFor(scene));
+		RidgeMap map(scene.options());
 		Replay replay;
 		while (!all.empty() || !present.empty())
 		{
@@ -141,7 +134,7 @@ TEST(UpdateResult, ReportsWhatClearTookAway)
 TEST(UpdateResult, RegionsHoldTheChanges)
 {
 	const RandomScene scene = randomScene(11, 2);
-	RidgeMap map(optionsFor(scene));
+	RidgeMap map(scene.options());
 	std::vector<Measurement> changes = scene.measurements;
 	for (Measurement m : scene.measurements)
 	{
@@ -214,7 +207,7 @@ TEST(UpdateResult, TellsTheTimesOfItsSteps)
 TEST(UpdateResult, OfNoChangeIsEmpty)
 {
 	const RandomScene scene = randomScene(12, 2);
-	RidgeMap map(optionsFor(scene));
+	RidgeMap map(scene.options());
 	map.insert(scene.measurements);
 	EXPECT_FALSE(map.update().appeared.empty());
 	const UpdateResult idle = map.update();
@@ -231,7 +224,7 @@ TEST(UpdateResult, OfNoChangeIsEmpty)
 TEST(UpdateResult, Adds)
 {
 	const RandomScene scene = randomScene(13, 1);
-	RidgeMap map(optionsFor(scene));
+	RidgeMap map(scene.options());
 	map.insert(scene.measurements);
 	const UpdateResult one = map.update();
 	UpdateResult twice = one;
@@ -248,7 +241,7 @@ TEST(UpdateResult, Adds)
 TEST(Update, ThreadsDoTheSameWork)
 {
 	const RandomScene scene = randomScene(14, 6);
-	RidgeMap one(optionsFor(scene)), four(optionsFor(scene));
+	RidgeMap one(scene.options()), four(scene.options());
 	one.insert(scene.measurements);
 	four.insert(scene.measurements);
 	const UpdateResult a = one.update(1), b = four.update(4);
@@ -339,7 +332,7 @@ TEST(StepRule, OfThePaperIsLessExact)
 		const Oracle oracle(scene.measurements, scene.sigma);
 		for (const StepRule rule : {StepRule::error, StepRule::paper})
 		{
-			Options options = optionsFor(scene);
+			Options options = scene.options();
 			options.stepRule = rule;
 			RidgeMap map(options);
 			map.insert(scene.measurements);

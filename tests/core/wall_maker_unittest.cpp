@@ -49,9 +49,7 @@ TEST(WallMaker, FollowsEveryHistoryToTheBit)
 				m.sensorX = m.x + scene.sigma * random.uniform(-40, 40);
 				m.sensorY = m.y + scene.sigma * random.uniform(-40, 40);
 			}
-		Options o;
-		o.sigma = scene.sigma;
-		RidgeMap map(o);
+		RidgeMap map(scene.options());
 		std::vector<std::vector<Measurement>> inserted;
 		for (int step = 0; step < 25; step++)
 		{

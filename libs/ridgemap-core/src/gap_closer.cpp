@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "gap_closer.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "wall_path.h"
@@ -24,21 +25,14 @@ Lines GapCloser::close(const Lines& lines)
 	Lines result;
 	for (const LinePtr& line : lines)
 	{
-		std::array<std::vector<int>, 2> near;
-		MemoKey key;
-		key.add(line);
-		bool any = false;
-		for (const bool back : {false, true})
-		{
-			if (mayHaveGap(*line, back)) near[back] = grid_.near(endOf(*line, back), widestGap * sigma_);
-			for (const int i : near[back])
-			{
-				key.add(lines[std::size_t(i)]);
-				any = any || lines[std::size_t(i)] != line;
-			}
-			key.add(back);
-		}
-		result.push_back(any ? memo_.get(std::move(key), [&] { return closed(line, near, lines); }) : line);
+		LineGrid::NearEnds near =
+			grid_.nearEnds(line, widestGap * sigma_, lines, [&](bool back) { return mayHaveGap(*line, back); });
+		const auto isOther = [&](int i) { return lines[std::size_t(i)] != line; };
+		const auto hasOther = [&](const std::vector<int>& n) { return std::any_of(n.begin(), n.end(), isOther); };
+		if (hasOther(near.numbers[0]) || hasOther(near.numbers[1]))
+			result.push_back(memo_.get(std::move(near.key), [&] { return closed(line, near.numbers, lines); }));
+		else
+			result.push_back(line);
 	}
 	memo_.forgetUnused();
 	return result;

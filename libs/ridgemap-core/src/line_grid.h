@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
@@ -22,6 +23,27 @@ class LineGrid
 
 	/** Numbers, in ascending order, of the lines that may pass within a distance of a place; all that do are there. */
 	std::vector<int> near(const Point2& p, double distance) const;
+
+	/** Lines that may pass near the ends of a line, and the key of what they and the line determine. */
+	struct NearEnds
+	{
+		std::array<std::vector<int>, 2> numbers;  ///< at the first and the last point
+		MemoKey key;
+	};
+	/** Of the ends, those of which `isAsked(back)` is true; `lines` are those that are followed. */
+	template <class Fn>
+	NearEnds nearEnds(const LinePtr& line, double distance, const Lines& lines, Fn isAsked) const
+	{
+		NearEnds result;
+		result.key.add(line);
+		for (const bool back : {false, true})
+		{
+			if (isAsked(back)) result.numbers[back] = near(back ? line->points.back() : line->points.front(), distance);
+			for (const int i : result.numbers[back]) result.key.add(lines[std::size_t(i)]);
+			result.key.add(back);
+		}
+		return result;
+	}
 
 	/** The other lines that may pass within half a cell of a line, given by its number; all that do are there. Looked
 	 * up again only when lines near it have changed. */

@@ -162,19 +162,12 @@ Lines WallMaker::seat(const Lines& lines)
 	Lines result;
 	for (const LinePtr& line : lines)
 	{
-		std::array<std::vector<int>, 2> near;
-		MemoKey key;
-		key.add(line);
-		for (const bool back : {false, true})
-		{
-			if (isLed(*line, back)) near[back] = grid_.near(endOf(*line, back), seatReach * options_.sigma);
-			for (const int i : near[back]) key.add(lines[std::size_t(i)]);
-			key.add(back);
-		}
-		if (near[0].size() + near[1].size() == 0)
+		LineGrid::NearEnds near =
+			grid_.nearEnds(line, seatReach * options_.sigma, lines, [&](bool back) { return isLed(*line, back); });
+		if (near.numbers[0].size() + near.numbers[1].size() == 0)
 			result.push_back(line);
 		else
-			result.push_back(seated_.get(std::move(key), [&] { return seated(line, near, lines); }));
+			result.push_back(seated_.get(std::move(near.key), [&] { return seated(line, near.numbers, lines); }));
 	}
 	seated_.forgetUnused();
 	return result;

@@ -2,6 +2,7 @@
 // Measurements of made-up surfaces.
 #pragma once
 
+#include <ridgemap/options.h>
 #include <ridgemap/types.h>
 
 #include <cstdint>
@@ -47,6 +48,14 @@ struct RandomScene
 	double sigma = 0.05;
 	std::string what;  ///< parts, for reports
 	std::vector<Measurement> measurements;
+
+	/** The defaults at the scale of the scene. */
+	Options options() const
+	{
+		Options o;
+		o.sigma = sigma;
+		return o;
+	}
 };
 /** @param size how many parts; each has a surface of 20-60 sigma */
 RandomScene randomScene(std::uint64_t seed, int size = 4);
