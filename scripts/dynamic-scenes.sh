@@ -24,20 +24,21 @@ room='wall 0 0 8 0
 	wall 8 0 8 5
 	wall 0 5 0 0
 	path 1.5 1 6.5 1 6.5 4 1.5 4 1.5 1 6.5 1 6.5 4 1.5 4 1.5 1 6.5 1 6.5 4 1.5 4 4 3.7'
-door='wall 0 5 3.5 5
+declare -A scenes
+scenes[door]='wall 0 5 3.5 5
 	wall 4.5 5 8 5
 	wall 0 8 8 8
 	during 0 40 wall 3.5 5 4.5 5
 	during 40 1e6 wall 3.5 5 3.5 5.98'
-glass='wall 0 5 1 5
+scenes[glass]='wall 0 5 1 5
 	wall 3.5 5 4.5 5
 	wall 7 5 8 5
 	wall 0 8 8 8
 	glass 0.5 15 1 5 3.5 5
 	glass 0.8 40 4.5 5 7 5'
-pickets='wall 0 5 8 5
+scenes[pickets]='wall 0 5 8 5
 	posts 0.02 0.12 2.5 2.5 5.5 2.5'
-trolley='wall 0 5 8 5
+scenes[trolley]='wall 0 5 8 5
 	during 0 40 wall 3 2.2 4 2.2
 	during 0 40 wall 4 2.2 4 2.8
 	during 0 40 wall 4 2.8 3 2.8
@@ -80,7 +81,7 @@ scene()
 {
 	local name=$1 height=$2 i setting data="$scratch/$1"
 	shift 2
-	printf '%s\n' "$room" "${!name}" >"$data.txt"
+	printf '%s\n' "$room" "${scenes[$name]}" >"$data.txt"
 	"$bin/ridgemap-simulate" "$data.txt" -o "$data" --sensor lidar --field-of-view 360 --beams 721 --noise 0.01,0 \
 		--spacing 0.08 --speed 0.4 >/dev/null
 	for i in "${!settings[@]}"; do
