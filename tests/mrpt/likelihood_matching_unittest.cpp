@@ -153,6 +153,63 @@ TEST(Likelihood, OfTheContinuousOccupancy)
 	}
 }
 
+TEST(Likelihood, BeamsWithoutReturnFollowTheRaysThatPassed)
+{
+	// A wall to the east and open space to the north, as seen from the origin; nobody has looked to the west.
+	CRidgeMap2D map;
+	std::vector<Measurement> wallAhead = wall({3, -1}, {3, 1});
+	for (Measurement& m : wallAhead) m.sensorX = m.sensorY = 0;
+	map.insertMeasurements(wallAhead);
+	mrpt::obs::CObservation2DRangeScan beam;
+	beam.maxRange = 20;
+	beam.aperture = 1e-6f;
+	beam.resizeScan(2);
+	for (const std::size_t i : {0u, 1u})
+	{
+		beam.setScanRange(i, 20);
+		beam.setScanRangeValidity(i, false);
+	}
+	map.insertionOptions.freeRayRange = 10;
+	const CPose3D north(0, 0, 0, pi / 2, 0, 0), east, west(-1, 0, 0, pi, 0, 0), both(0, -2.5, 0, pi / 2, 0, 0);
+	for (int i = -20; i <= 20; i++) map.insertObservation(beam, CPose3D(0.02 * i, 0, 0, pi / 2, 0, 0));
+	TLikelihoodOptions& o = map.likelihoodOptions;
+	const auto density = [&](double hit) { return std::log(o.zRand / o.zMax + o.zHit * hit); };
+	for (const CPose3D& pose : {north, east, west}) EXPECT_EQ(map.computeObservationLikelihood(beam, pose), 0);
+	o.freeBeamRange = 10;
+	for (const bool occupancy : {false, true})
+		for (const double pitch : {0.0, 0.25})
+		{
+			o.useOccupancy = occupancy;
+			o.pitch = pitch;
+			EXPECT_NEAR(map.computeObservationLikelihood(beam, north), density(1), 1e-9);
+			EXPECT_NEAR(map.computeObservationLikelihood(beam, west), density(0.5), 1e-9);
+			EXPECT_LT(map.computeObservationLikelihood(beam, east), density(0.5));
+			// A quarter of the way is unknown; a cell of the counters is 1 % of the way.
+			EXPECT_NEAR(map.computeObservationLikelihood(beam, both), density(0.25 * 0.5 + 0.75), 0.01);
+		}
+	// What ends before the wall has met nothing that it could contradict.
+	o.freeBeamRange = 2.5;
+	EXPECT_NEAR(map.computeObservationLikelihood(beam, east), density(1), 1e-9);
+	// Beams with a return count as ever, and one beam in `decimation` without.
+	mrpt::obs::CObservation2DRangeScan scan;
+	scan.maxRange = 20;
+	scan.aperture = 0.01f;
+	scan.resizeScan(20);
+	for (std::size_t i = 0; i < 20; i++)
+	{
+		scan.setScanRange(i, i < 10 ? 20 : 3);
+		scan.setScanRangeValidity(i, i >= 10);
+	}
+	o.decimation = 1;
+	const double all = map.computeObservationLikelihood(scan, east);
+	o.freeBeamRange = 0;
+	EXPECT_NEAR(all - map.computeObservationLikelihood(scan, east), 10 * density(1), 1e-9);
+	o.decimation = 5;
+	const double ends = map.computeObservationLikelihood(scan, east);
+	o.freeBeamRange = 2.5;
+	EXPECT_NEAR(map.computeObservationLikelihood(scan, east) - ends, 2 * density(1), 1e-9);
+}
+
 TEST(Likelihood, IsGreatestAtTheTruePose)
 {
 	const CRidgeMap2D map = makeRoomMap();
@@ -173,12 +230,14 @@ TEST(Likelihood, IsFiniteWhateverComes)
 	scan.setScanRange(20, -5);
 	scan.setScanRange(30, 1e30f);
 	CRidgeMap2D map = makeRoomMap(), empty;
-	for (const CRidgeMap2D* m : {&map, &empty})
+	empty.likelihoodOptions.freeBeamRange = 50;
+	for (const CRidgeMap2D* m : {&map, &empty, &map})
 	{
 		for (const double v : {0.0, 1e9, 1e300, nan, inf, -inf})
 			for (const auto& pose : {CPose3D(v, 0, 0, 0, 0, 0), CPose3D(0, v, v, 0, 0, 0)})
 				EXPECT_TRUE(std::isfinite(m->computeObservationLikelihood(scan, pose))) << v;
 		EXPECT_EQ(m->computeObservationLikelihood(mrpt::obs::CObservation2DRangeScan(), CPose3D()), 0);
+		map.likelihoodOptions.freeBeamRange = 50;
 	}
 	map.likelihoodOptions.zRand = 0;
 	map.likelihoodOptions.decimation = 0;

@@ -2,6 +2,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt/poses/CPose3D.h>
 #include <ridgemap/CRidgeMap2D.h>
+#include <ridgemap/observation_to_measurements.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,8 @@ class BeamModel
 	}
 	/** By the continuous occupancy there [kernels]. */
 	double byOccupancy(double occupancy) const { return mixture(occupancy / (occupancy + lTol_)); }
+	/** Of a beam without return, by the share of rays that pass on its way. */
+	double byPassingShare(double share) const { return mixture(share); }
 	/** Far from all surfaces. */
 	double far(bool occupancy) const { return occupancy ? byOccupancy(0) : byDistance(farthestSqr_); }
 
@@ -112,6 +115,37 @@ bool isInReach(const Point2& p)
 	return std::abs(p.x) <= farthest && std::abs(p.y) <= farthest;
 }
 
+/** Share of rays that pass on the way of a ray: the least of all places there of which anything is known, and 1/2 for
+ * the part of the way of which nothing is. O(length / sigma). */
+double passingShare(const RidgeMap& map, const FreeRay& ray)
+{
+	const Options& options = map.options();
+	const double dx = ray.x - ray.sensorX, dy = ray.y - ray.sensorY, step = 2 * options.sigma;
+	const double length = std::hypot(dx, dy), end = std::min(length, maxRayLength * options.sigma);
+	double least = 1, known = 0, all = 0;
+	for (double s = 0.5 * step; s < end; s += step, all++)
+	{
+		const SpaceSample sample = map.space({ray.sensorX + s / length * dx, ray.sensorY + s / length * dy});
+		const bool surface = sample.hits >= options.lTol;
+		if (surface) least = std::min(least, sample.across / (sample.across + sample.hits));
+		known += surface || sample.state == SpaceState::free ? 1 : 0;
+	}
+	return all > 0 ? (known * least + 0.5 * (all - known)) / all : 0.5;
+}
+
+/** Sum of the logarithms for the beams without return, one in `step`. */
+double freeBeams(const CRidgeMap2D& map, const BeamModel& model, const mrpt::obs::CObservation2DRangeScan& scan,
+				 const mrpt::poses::CPose3D& takenFrom, std::size_t step)
+{
+	TInsertionOptions insertion = map.insertionOptions;
+	insertion.freeRayRange = map.likelihoodOptions.freeBeamRange;
+	const std::vector<FreeRay> rays = observationToFreeRays(scan, takenFrom, insertion);
+	LogSum sum;
+	for (std::size_t i = 0; i < rays.size(); i += step)
+		sum.add(model.byPassingShare(passingShare(map.core(), rays[i])));
+	return sum.value();
+}
+
 /** The table of a map's likelihoods by place; null if it is not wanted or the map is too wide. */
 std::shared_ptr<LikelihoodTable> tableFor(const CRidgeMap2D& map, const BeamModel& model, QueryCache& cache)
 {
@@ -147,8 +181,10 @@ double CRidgeMap2D::internal_computeObservationLikelihood(const mrpt::obs::CObse
 	if (!scan) return 0;
 	const TLikelihoodOptions& o = likelihoodOptions;
 	const BeamModel model(o, options().lTol);
+	const std::size_t step = std::max(1u, o.decimation);
+	const double free = o.freeBeamRange > 0 ? freeBeams(*this, model, *scan, takenFrom, step) : 0;
 	thread_local std::vector<Point2> ends;
-	beamEnds(*scan, takenFrom, insertionOptions, std::max(1u, o.decimation), ends);
+	beamEnds(*scan, takenFrom, insertionOptions, step, ends);
 	const auto index = o.target == LikelihoodTarget::walls ? wallIndex() : ridgeIndex();
 	if (const auto table = tableFor(*this, model, state_->cache))
 	{
@@ -157,7 +193,7 @@ double CRidgeMap2D::internal_computeObservationLikelihood(const mrpt::obs::CObse
 			return std::log(o.useOccupancy ? model.byOccupancy(core().occupancy(p).value)
 										   : model.byDistance(std::pow(index->distance(p, o.maxDistance), 2)));
 		};
-		double sum = 0;
+		double sum = free;
 		for (const Point2& end : ends) sum += table->at(end, value);
 		return sum;
 	}
@@ -166,12 +202,12 @@ double CRidgeMap2D::internal_computeObservationLikelihood(const mrpt::obs::CObse
 	{
 		for (const Point2& end : ends)
 			sum.add(isInReach(end) ? model.byOccupancy(core().occupancy(end).value) : model.far(true));
-		return sum.value();
+		return free + sum.value();
 	}
 	thread_local std::vector<double> distancesSqr;
 	index->distancesSqr(ends, o.maxDistance, distancesSqr);
 	for (const double d : distancesSqr) sum.add(model.byDistance(d));
-	return sum.value();
+	return free + sum.value();
 }
 
 }  // namespace ridgemap

@@ -127,6 +127,9 @@ void visitFields(const TLikelihoodOptions*, O& o, V&& visit)
 		  o.useOccupancy);
 	visit(FieldInfo{"pitch", "sigma", "beam ends are looked up in cells with this edge; 0: exact, and slower", 0, 100},
 		  o.pitch);
+	visit(FieldInfo{"freeBeamRange", "m",
+					"beams of 2-D scans without return count by what rays passed this far; 0: not", 0, 1e6},
+		  o.freeBeamRange);
 }
 
 template <class O, class V>

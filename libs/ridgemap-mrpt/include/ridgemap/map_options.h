@@ -69,6 +69,10 @@ struct TLikelihoodOptions : public mrpt::config::CLoadableOptions
 	/** Beam ends are looked up in square cells with this edge [sigma], so distances are off by up to 0.71 of it; 0:
 	 * exact, and several times slower. */
 	double pitch = 0.25;
+	/** Beams of 2-D scans without return count, too, by the first of this many metres: hit is then the least share of
+	 * rays that passed, over the places on their way of which anything is known, and 1/2 for the part of the way of
+	 * which nothing is; 0: not at all. Takes an evaluation of the density every 2 sigma. */
+	double freeBeamRange = 0;
 
 	/** Throws std::invalid_argument with name, value and range of the first field that is off. */
 	void validate() const;
