@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "scenes.h"
+#include "wall_path.h"
 #include "walls.h"
 
 using namespace ridgemap;
@@ -47,6 +48,37 @@ RidgeMap mapOf(const std::vector<Measurement>& m, bool sharpen = true)
 	return map;
 }
 }  // namespace
+
+TEST(FitLine, IsThatOfManyPoints)
+{
+	// A line with a narrow bump that coarse samples do not see, against the second moments of the polyline in closed
+	// form.
+	Polyline line;
+	line.points = {{0, 0}, {9.9, 0}, {10, 2}, {10.1, 0}, {16, 0}};
+	line.info.resize(line.points.size());
+	const Path path(line);
+	double length = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
+	for (std::size_t k = 1; k < line.points.size(); k++)
+	{
+		const Point2 &a = line.points[k - 1], &b = line.points[k];
+		const double l = std::hypot(b.x - a.x, b.y - a.y);
+		length += l;
+		x += 0.5 * l * (a.x + b.x);
+		y += 0.5 * l * (a.y + b.y);
+		xx += l / 3 * (a.x * a.x + a.x * b.x + b.x * b.x);
+		yy += l / 3 * (a.y * a.y + a.y * b.y + b.y * b.y);
+		xy += l / 6 * (2 * a.x * a.y + a.x * b.y + b.x * a.y + 2 * b.x * b.y);
+	}
+	x /= length, y /= length;
+	xx = xx / length - x * x, xy = xy / length - x * y, yy = yy / length - y * y;
+	const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+	const FittedLine fit = fitLine(path, 0, path.length(), 0.01);
+	EXPECT_NEAR(fit.mean.x, x, 0.02);
+	EXPECT_NEAR(fit.mean.y, y, 0.02);
+	EXPECT_NEAR(std::atan2(fit.direction.y, fit.direction.x), angle, 1e-3);
+	EXPECT_NEAR(fit.rms, std::sqrt(0.5 * (xx + yy) - std::hypot(0.5 * (xx - yy), xy)), 0.01);
+	EXPECT_GT(fit.rms, 0.1);
+}
 
 TEST(SharpenCorners, MeetsTheTrueCornerForManyAngles)
 {

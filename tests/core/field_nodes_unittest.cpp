@@ -160,6 +160,40 @@ TEST(FieldNodes, TakeAwayExactlyWhatTheyAddedHoweverMuchThatIs)
 	EXPECT_TRUE(blocks.empty());
 }
 
+TEST(FieldNodes, ASmallChangeOfALargeCountIsExact)
+{
+	const CellGrid grid{Options()};
+	const KernelSpreader spreader(grid, 5);
+	Random random(3);
+	std::map<std::pair<int, int>, Nodes> blocks, direct;
+	SpreadScratch scratch;
+	for (int i = 0; i < 20; i++)
+	{
+		const Cell c = randomCell(random, grid);
+		const auto times = [&](std::int64_t k)
+		{
+			const CellSums& s = c.sums;
+			return CellSums{std::uint32_t(k * s.n), k * s.sx, k * s.sy, k * s.sxx, k * s.sxy, k * s.syy};
+		};
+		const auto nodesOf = [&](int bx, int by) -> Nodes& {
+			return blocks[{bx, by}];
+		};
+		const auto directNodes = [&](int bx, int by) -> Nodes& {
+			return direct[{bx, by}];
+		};
+		const std::int64_t many = (1 << 20) + i;
+		for (const auto& [before, after] : {std::pair<std::int64_t, std::int64_t>{0, many}, {many, many - 1}})
+		{
+			spreader.spread(c.key, before ? times(before) : CellSums{}, times(after), scratch, nodesOf);
+			spreader.finish(scratch, nodesOf);
+		}
+		spreader.spread(c.key, {}, times(many - 1), scratch, directNodes);
+		spreader.finish(scratch, directNodes);
+	}
+	EXPECT_FALSE(direct.empty());
+	EXPECT_EQ(blocks, direct);
+}
+
 TEST(FieldNodes, InterpolationAgreesWithTheSumOfAllCells)
 {
 	std::array<double, 4> worst{};

@@ -108,6 +108,24 @@ TEST(FreeCut, StaysWhereHitsOutweighPasses)
 	}
 }
 
+TEST(FreeCut, PartsOfASingleSegmentAreSegments)
+{
+	const Options options;
+	FreeSpace space(options);
+	space.insert(curtain(-1, 1, 0.004));
+	Polyline line = lineAt(0, -4, 4, 3);
+	line.points = {line.points.front(), line.points.back()};
+	line.info = {line.info.front(), line.info.back()};
+	std::vector<Polyline> removed;
+	const auto kept = cutFree({line}, space, options, &removed);
+	ASSERT_EQ(kept.size(), 2u);
+	ASSERT_EQ(removed.size(), 1u);
+	for (const Polyline& part : {kept[0], kept[1], removed[0]}) EXPECT_EQ(part.points.size(), 2u);
+	EXPECT_NEAR(kept[0].length(), 3, 5 * options.sigma);
+	EXPECT_NEAR(kept[1].length(), 3, 5 * options.sigma);
+	EXPECT_NEAR(removed[0].length(), 2, 5 * options.sigma);
+}
+
 TEST(FreeCut, TauIsTheShareOfHits)
 {
 	Options options;

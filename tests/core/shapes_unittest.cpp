@@ -118,6 +118,26 @@ TEST(StraightWall, WithoutNoiseIsExact)
 	EXPECT_EQ(map.statistics().unstitchedCrossings, 0u);
 }
 
+TEST(StraightWall, EndsAtGapsThatDTolDoesNotSpan)
+{
+	// So many measurements that the density alone would let the ridge go on across a gap of 5 sigma.
+	std::vector<Measurement> wall = exactWall({0, 0}, {25, 0}, 0.002);
+	for (const Measurement& m : exactWall({30, 0}, {50, 0}, 0.002)) wall.push_back(m);
+	for (const double dTol : {1.0, 4.0})
+	{
+		Options o;
+		o.sigma = 1;
+		o.dTol = dTol;
+		RidgeMap map(o);
+		map.insert(wall);
+		EXPECT_GT(map.occupancy({27.5, 0}).value, 3 * o.lTol);
+		ASSERT_EQ(map.ridges().size(), dTol < 2 ? 2u : 1u);
+		const double length = totalLength(map.ridges());
+		EXPECT_GT(length, dTol < 2 ? 44.5 : 49.5);
+		EXPECT_LT(length, dTol < 2 ? 49 : 50.5);
+	}
+}
+
 TEST(StraightWall, VerticesKnowHeightAndCurvature)
 {
 	const double noise = 0.4, density = 100;
