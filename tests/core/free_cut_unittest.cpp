@@ -208,6 +208,10 @@ TEST(FreeCut, AWallIsNotShortenedWhereRaysPassBesideItsEnd)
 		else
 			EXPECT_NEAR(kept[0].points.back().x, from, 3 * options.sigma);
 		EXPECT_EQ(removed.size(), beyond < 2 ? 0u : 1u);
+		// What was led to another wall has no end of its own there.
+		Polyline led = line;
+		led.info.back().origin = VertexOrigin::junction;
+		EXPECT_EQ(cutFree({led}, space, options)[0].points.back() == line.points.back(), beyond < 1);
 	}
 }
 
@@ -270,6 +274,47 @@ TEST(FreeCut, APersonWhoWalkedByLeavesNoWall)
 	EXPECT_EQ(on.space({std::nan(""), 0}).state, SpaceState::unknown);
 	EXPECT_NEAR(on.space({0, 3}).hits, on.occupancy({0, 3}).value, 1e-9) << "cells of 2 sigma";
 	EXPECT_EQ(on.passes({0.5, 0.9}), on.space({0.5, 0.9}).passes);
+}
+
+TEST(FreeCut, BridgesAndLeadsAreWithdrawnWhereRaysPass)
+{
+	// Two walls in line, or one that ends before another, and rays through the gap between them.
+	for (const bool inLine : {true, false})
+		for (const double gap : {4.0, 5.0})
+			for (const bool open : {false, true})
+			{
+				Options options;
+				options.attachDistance = 5;
+				const double width = gap * options.sigma;
+				Random random(8);
+				std::vector<Measurement> walls;
+				const auto add = [&](Point2 from, Point2 to)
+				{
+					const double length = std::hypot(to.x - from.x, to.y - from.y);
+					for (int i = 0; i < int(400 * length); i++)
+					{
+						const double t = random.uniform(), noise = 0.012 * random.normal();
+						const double across = 0.012 * random.normal();
+						walls.push_back({from.x + t * (to.x - from.x) + noise, from.y + t * (to.y - from.y) + across});
+					}
+				};
+				add({-2, 0}, {inLine ? -width / 2 : 2, 0});
+				inLine ? add({width / 2, 0}, {2, 0}) : add({0, width}, {0, 2});
+				std::vector<FreeRay> rays;
+				for (int i = 0; i < 400; i++)
+				{
+					const double t = (i + 0.5) / 400, x = (t - 0.5) * width, y = (0.5 + 0.5 * t) * width;
+					rays.push_back(inLine ? FreeRay{x, -1, x, 1} : FreeRay{-1, y, 1, y});
+				}
+				RidgeMap map(options);
+				map.insert(walls);
+				if (open) map.insertFreeRays(rays);
+				const double distance =
+					SegmentIndex(map.walls(), 0.5).nearest({0, inLine ? 0 : width / 2}, 1) / options.sigma;
+				EXPECT_EQ(distance > 1.5, open) << inLine << " " << gap << ": " << distance;
+				// What is taken out is the gap, and as much beside it as the counters can tell apart.
+				EXPECT_GT(totalLength(map.walls()), (inLine ? 4 : 6) - width - 5 * options.sigma);
+			}
 }
 
 TEST(FreeCut, WithoutSensorsOrSwitchedOffNothingChanges)

@@ -149,10 +149,23 @@ class SampledLine
 	std::vector<Evidence> evidence_;
 };
 
-/** Gives back what is too short to be left out: between stretches that stay and at the ends of lines. There the density
- * falls to half while rays pass beside a wall that ends at a door, and the ridge goes on beyond the surface: where it
- * ends is for trimEnds() to tell. On a closed line, runs go on over the seam. */
-void keepShortRuns(std::vector<char>& stays, double step, double sigma, bool closed)
+/** Lengths below which stretches are not cut [m]: between stretches that stay, and at the ends of a line. There the
+ * density falls to half while rays pass beside a wall that ends at a door, and the ridge goes on beyond the surface:
+ * where it ends is for trimEnds() to tell. An end that was led to another wall is no such place. */
+struct ShortestCuts
+{
+	ShortestCuts(const Polyline& line, double sigma)
+		: between(shortestCut * sigma),
+		  front(line.info.front().origin == VertexOrigin::junction ? between : shortestEnd * sigma),
+		  back(line.info.back().origin == VertexOrigin::junction ? between : shortestEnd * sigma)
+	{
+	}
+
+	double between, front, back;
+};
+
+/** Gives back what is too short to be left out. On a closed line, runs go on over the seam. */
+void keepShortRuns(std::vector<char>& stays, double step, const ShortestCuts& shortest, bool closed)
 {
 	const std::size_t n = stays.size();
 	std::size_t first = 0;
@@ -163,8 +176,9 @@ void keepShortRuns(std::vector<char>& stays, double step, double sigma, bool clo
 	{
 		std::size_t last = i;
 		while (last < end && !stays[last % n]) last++;
-		const bool atEnd = !closed && (i == 0 || last == n);
-		if (double(last - i) * step < (atEnd ? shortestEnd : shortestCut) * sigma)
+		const bool atFront = !closed && i == 0, atBack = !closed && last == n;
+		const double least = atFront ? shortest.front : atBack ? shortest.back : shortest.between;
+		if (double(last - i) * step < least)
 			for (std::size_t k = i; k < last; k++) stays[k % n] = 1;
 		i = std::max(last, i + 1);
 	}
@@ -228,7 +242,7 @@ std::vector<char> decide(const Polyline& line, const SampledLine& samples, const
 		stays[i] = seldom || e.hits >= options.freeSpaceTau * (e.hits + e.passes);
 	}
 	const auto cut = [&] { return std::find(stays.begin(), stays.end(), 0) != stays.end(); };
-	if (cut()) keepShortRuns(stays, samples.step(), options.sigma, line.closed);
+	if (cut()) keepShortRuns(stays, samples.step(), ShortestCuts(line, options.sigma), line.closed);
 	if (!cut()) stays.clear();
 	return stays;
 }
