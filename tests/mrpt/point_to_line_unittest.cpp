@@ -82,6 +82,59 @@ TEST(PointToLine, SeveralStartsBringBackALostHeading)
 	EXPECT_LT(alone, 11);
 }
 
+TEST(PointToLine, ASearchFindsWhatNoStartLeadsTo)
+{
+	// A room with rows of chairs: turned and shifted, each point finds another chair.
+	std::vector<Polyline> walls{line({-2.2, -1.5}, {2, -1.5}), line({2, -1.5}, {2, 1.7})};
+	for (int i = 0; i < 5; i++)
+		for (int k = 0; k < 3; k++)
+			walls.push_back(line({0.7 * i - 1.5, 0.7 * k - 0.7}, {0.7 * i - 1.2, 0.75 * k - 0.7}, 12));
+	const MatchingTargets targets(walls, {}, {});
+	const PlanarPose truth{-0.3, 0.2, 0.1};
+	const auto points = seenFrom(walls, truth);
+	TMatchingOptions finished;
+	finished.shiftStarts = 2;
+	int alone = 0, searched = 0, all = 0;
+	for (int way = 0; way < 12; way++)
+		for (const int turn : {-22, -11, 11, 22})
+		{
+			const PlanarPose start{truth.x + 0.4 * std::cos(30 * way * degree),
+								   truth.y + 0.4 * std::sin(30 * way * degree), truth.phi + turn * degree};
+			const MatchingGate gate{1, 0.17, 2, {start.x, start.y}};
+			const auto good = [&](const Alignment& a)
+			{ return std::hypot(a.pose.x - truth.x, a.pose.y - truth.y) < 1e-3; };
+			alone += good(alignFromSeveralStarts(targets, points, start, gate, {}));
+			searched += good(alignFromSeveralStarts(targets, points, start, gate, finished));
+			all++;
+		}
+	EXPECT_EQ(searched, all);
+	EXPECT_LT(alone, all);
+}
+
+TEST(PointToLine, PillarsDecideAlongAHallway)
+{
+	// Slid along by as much as two pillars are apart, half of them fit again, and all of the walls.
+	std::vector<Polyline> walls{line({-8, 1}, {8, 1}, 160), line({-8, -1}, {8, -1}, 160)};
+	for (const double x : {-6.0, -5.6, -3.1, -2.7, -0.9, 0.8, 1.2, 3.1, 3.5, 5.7})
+		walls.push_back(line({x, 1}, {x, 0.9}, 3));
+	const MatchingTargets targets(walls, {}, {});
+	const PlanarPose truth{0.3, -0.1, 0.05};
+	const auto points = seenFrom(walls, truth);
+	TMatchingOptions finished;
+	finished.slideReach = 0.6;
+	int slid = 0, stayed = 0;
+	for (const double off : {-0.5, -0.4, -0.3, 0.3, 0.4, 0.5})
+	{
+		const PlanarPose start{truth.x + off, truth.y + 0.05, truth.phi + 0.02};
+		const MatchingGate gate{1, 0.17, 2, {start.x, start.y}};
+		const auto good = [&](const Alignment& a) { return std::abs(a.pose.x - truth.x) < 1e-3; };
+		slid += good(alignFromSeveralStarts(targets, points, start, gate, finished));
+		stayed += good(alignFromSeveralStarts(targets, points, start, gate, {}));
+	}
+	EXPECT_EQ(slid, 6);
+	EXPECT_LT(stayed, 6);
+}
+
 TEST(PointToLine, NarrowingGatesReachFartherThanOneNarrowGate)
 {
 	const auto walls = corner();

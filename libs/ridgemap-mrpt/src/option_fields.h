@@ -171,6 +171,16 @@ void visitFields(const TMatchingOptions*, O& o, V&& visit)
 	visit(FieldInfo{"yawLeastGate", "m", "further starts only while the program allows at least this distance", 0, 1e3},
 		  o.yawLeastGate);
 	visit(FieldInfo{"yawMargin", "", "share of its score by which another start must win", 0, 10}, o.yawMargin);
+	visit(FieldInfo{"shiftStarts", "",
+					"poses on each side, forwards and sideways, to look at for starts; for finished maps; 0: none", 0,
+					20},
+		  o.shiftStarts);
+	visit(FieldInfo{"shiftStep", "m", "distance from one of these to the next", 1e-3, 1e3}, o.shiftStep);
+	visit(
+		FieldInfo{"slideReach", "m",
+				  "starts this far along where the scan says least, as in hallways; for finished maps; 0: none", 0, 10},
+		o.slideReach);
+	visit(FieldInfo{"slideMargin", "", "share of its score by which such a start must win", 0, 10}, o.slideMargin);
 	visit(FieldInfo{"yawFirstOnly", "", "further starts only on the first call of an alignment"}, o.yawFirstOnly);
 }
 

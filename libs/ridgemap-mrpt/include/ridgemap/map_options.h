@@ -126,7 +126,14 @@ struct TMatchingOptions : public mrpt::config::CLoadableOptions
 	double yawStep = 8;              ///< turn from one start to the next [deg]
 	double yawLeastGate = 1;         ///< further starts only while the program allows at least this distance [m]
 	double yawMargin = 0.05;         ///< share of its score by which another start must win
-	bool yawFirstOnly = true;        ///< further starts only on the first call of an alignment
+	/** If none of these fits: so many poses on each side, forwards and sideways and turned by half of yawStep, are
+	 * looked at for better starts. For maps that hold all that can be seen: into what a map does not hold yet, odometry
+	 * leads better. 0: none */
+	unsigned shiftStarts = 0;
+	double shiftStep = 0.2;  ///< distance from one of these to the next [m]
+	double slideReach = 0;   ///< starts this far along where the scan says least, as in hallways; for the same maps [m]
+	double slideMargin = 0.005;  ///< share of its score by which such a start must win
+	bool yawFirstOnly = true;    ///< further starts only on the first call of an alignment
 
 	/** Throws std::invalid_argument with name, value and range of the first field that is off. */
 	void validate() const;
