@@ -98,6 +98,21 @@ TEST(SharpenCorners, MeetsTheTrueCornerForManyAngles)
 		}
 }
 
+TEST(SharpenCorners, OneArmMayBeShort)
+{
+	// Just long enough for a line to be fitted to it, in both directions.
+	for (const double turn : {-1.1, 1.1})
+		for (const bool reversed : {false, true})
+		{
+			const Point2 apex{20, 0}, end{20 + 4.6 * std::cos(turn), 4.6 * std::sin(turn)};
+			auto m = exactWall(reversed ? end : Point2{0, 0}, apex, 0.02);
+			for (const Measurement& q : exactWall(apex, reversed ? Point2{0, 0} : end, 0.02)) m.push_back(q);
+			const RidgeMap map = mapOf(m);
+			EXPECT_EQ(madeVertices(map.walls()), 1u) << turn;
+			EXPECT_LT(distanceToCorner(map.walls(), apex), 0.2) << turn;
+		}
+}
+
 TEST(SharpenCorners, ClosedSquareKeepsItsFourCorners)
 {
 	const std::vector<Measurement> m = SceneBuilder(7, 1, noise, 60)
