@@ -35,7 +35,8 @@ Plan readPlan(const CommandLine& c)
 	for (char& letter : extension)
 		if (letter >= 'A' && letter <= 'Z') letter = char(letter - 'A' + 'a');
 	if (extension == ".svg") return readSvg(c.plan, c.layers);
-	if (extension == ".dxf" || extension == ".geojson" || extension == ".json") return readOgr(c.plan, c.layers);
+	if (extension == ".dxf") return readDxf(c.plan, c.layers);
+	if (extension == ".geojson" || extension == ".json") return readGeoJson(c.plan, c.layers);
 	throw UserError("'" + c.plan + "' is of an unknown kind", "give a .dxf, .geojson or .svg file");
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
+#include <sstream>
 
 #include "../common/gz_input.h"
 #include "../common/user_error.h"
@@ -47,37 +49,58 @@ bool isWanted(const OGRFeature& feature, const std::string& ogrLayer, const std:
 	return field >= 0 && layers.count(feature.GetFieldAsString(field)) != 0;
 }
 
-/** Metres of a unit of a DXF file, which OGR does not tell: the value behind $INSUNITS. */
-double dxfUnit(const std::string& path)
+/** A DXF file in memory, with line feeds alone between its lines: behind a carriage return at the end of a file, GDAL
+ * 3.6 waits for ever. GDAL takes what there is of a file that was cut off, but here it must be whole. */
+class DxfFile
 {
-	static const std::map<std::string, double> units{{"1", 0.0254}, {"2", 0.3048}, {"4", 0.001}, {"5", 0.01}, {"6", 1}};
-	GzInput input(path);
-	int after = 0;  // lines behind the name: group code, value
-	for (std::string line; input.readLine(line);)
+ public:
+	explicit DxfFile(const std::string& path)
 	{
-		const auto first = line.find_first_not_of(" \t");
-		const std::string word = first == std::string::npos ? "" : line.substr(first);
-		if (after == 2)
-		{
-			const auto unit = units.find(word);
-			return unit == units.end() ? 1 : unit->second;
-		}
-		if (after > 0 || word == "$INSUNITS") after++;
-		if (word == "ENTITIES") break;
+		GzInput input(path);
+		for (std::string line; input.readLine(line);) text_ += line + "\n";
+		std::replace(text_.begin(), text_.end(), '\r', '\n');
+		std::istringstream words(text_);
+		std::string word, last;
+		while (words >> word) last = word;
+		if (last != "EOF")
+			throw UserError("'" + path + "' is cut off, or not a DXF file: it does not end with EOF",
+							"export it again, as a DXF file in text form");
+		VSIFCloseL(VSIFileFromMemBuffer(name, reinterpret_cast<GByte*>(text_.data()), text_.size(), FALSE));
 	}
-	return 1;
-}
-}  // namespace
+	~DxfFile() { VSIUnlink(name); }
+	DxfFile(const DxfFile&) = delete;
+	DxfFile& operator=(const DxfFile&) = delete;
 
-Plan readOgr(const std::string& path, const std::set<std::string>& layers)
+	static constexpr const char* name = "/vsimem/ridgemap-import.dxf";
+
+	/** Metres of its unit, which OGR does not tell: the value behind $INSUNITS. */
+	double unit() const
+	{
+		static const std::map<std::string, double> units{
+			{"1", 0.0254}, {"2", 0.3048}, {"4", 0.001}, {"5", 0.01}, {"6", 1}};
+		std::istringstream words(text_);
+		for (std::string word; words >> word && word != "ENTITIES";)
+			if (word == "$INSUNITS" && words >> word && words >> word)
+			{
+				const auto unit = units.find(word);
+				return unit == units.end() ? 1 : unit->second;
+			}
+		return 1;
+	}
+
+ private:
+	std::string text_;
+};
+
+/** @param name what GDAL is to open, that which `path` names or a copy of it */
+Plan read(const char* name, const char* driver, const std::string& path, const std::set<std::string>& layers)
 {
-	GzInput readable(path);
 	GDALAllRegister();
 	const CPLErrorHandlerPusher quiet(CPLQuietErrorHandler);
 	CPLErrorReset();
-	// Others take files of any name, too, and some of them open what these files name: other files, or servers.
-	const char* const drivers[] = {"DXF", "GeoJSON", nullptr};
-	const std::unique_ptr<GDALDataset> data(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR, drivers));
+	// Other drivers take files of any name, too, and some of them open what these files name: other files, or servers.
+	const char* const drivers[] = {driver, nullptr};
+	const std::unique_ptr<GDALDataset> data(GDALDataset::Open(name, GDAL_OF_VECTOR, drivers));
 	const std::string cause = CPLGetLastErrorMsg();
 	if (!data)
 		throw UserError("'" + path + "' cannot be read" + (cause.empty() ? "" : ": " + cause),
@@ -92,8 +115,22 @@ Plan readOgr(const std::string& path, const std::set<std::string>& layers)
 			const std::unique_ptr<OGRGeometry> straight(geometry->getLinearGeometry());
 			addGeometry(*straight, plan);
 		}
-	if (std::string(data->GetDriverName()) == "DXF") plan.metresPerUnit = dxfUnit(path);
 	return plan;
+}
+}  // namespace
+
+Plan readDxf(const std::string& path, const std::set<std::string>& layers)
+{
+	const DxfFile file(path);
+	Plan plan = read(DxfFile::name, "DXF", path, layers);
+	plan.metresPerUnit = file.unit();
+	return plan;
+}
+
+Plan readGeoJson(const std::string& path, const std::set<std::string>& layers)
+{
+	const GzInput readable(path);
+	return read(path.c_str(), "GeoJSON", path, layers);
 }
 
 }  // namespace ridgemap::apps

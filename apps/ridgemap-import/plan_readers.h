@@ -17,9 +17,12 @@ struct Plan
 	std::size_t leftOut = 0;      ///< things that are no lines, such as points and text
 };
 
-/** Reads the lines and outlines of a vector file by GDAL's OGR, curves as short segments. Only those on the given
- * layers, or all if none is given. Throws UserError naming the file. */
-Plan readOgr(const std::string& path, const std::set<std::string>& layers);
+/** Reads the lines and outlines of a DXF file in text form by GDAL's OGR, curves as short segments. Only those on the
+ * given layers, or all if none is given. Throws UserError naming the file, also if it was cut off. */
+Plan readDxf(const std::string& path, const std::set<std::string>& layers);
+
+/** The same for GeoJSON. */
+Plan readGeoJson(const std::string& path, const std::set<std::string>& layers);
 
 /** Reads path, polyline, polygon, line and rect elements of an SVG file with their transforms. A page with a physical
  * size gives the unit. Layers are the ids of groups. Throws UserError naming the file. */

@@ -368,10 +368,17 @@ TEST_F(Export, wrongUseIsExplained)
 	EXPECT_NE(errorOf({map, "-o", out + ".svg", "--free-space", map}).find("grids"), std::string::npos);
 	EXPECT_NE(errorOf({map}).find("-o FILE"), std::string::npos);
 	EXPECT_FALSE(std::filesystem::exists(out + ".svg"));
-	writeFile(*dir / "bad.dxf", "nothing");
-	const RunResult r = run(RIDGEMAP_IMPORT_PROGRAM, {*dir / "bad.dxf", "-o", out + ".ridgemap"});
-	EXPECT_NE(r.code, 0);
-	EXPECT_NE(r.err.find("bad.dxf"), std::string::npos) << r.err;
+	// No DXF file; one that was cut off, for which GDAL waits for ever; one that was cut off between two lines.
+	const std::string header = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES";
+	for (const std::string& content :
+		 {std::string("nothing"), header + "\r", header + "\n0\nLINE\n10\n1\n20\n1\n11\n2\n21\n2\n"})
+	{
+		writeFile(*dir / "bad.dxf", content);
+		const RunResult r = run(RIDGEMAP_IMPORT_PROGRAM, {*dir / "bad.dxf", "-o", out + ".ridgemap"});
+		EXPECT_EQ(r.code, 1);
+		EXPECT_NE(r.err.find("bad.dxf' is cut off"), std::string::npos) << r.err;
+		EXPECT_FALSE(std::filesystem::exists(out + ".ridgemap"));
+	}
 }
 
 }  // namespace ridgemap::test
