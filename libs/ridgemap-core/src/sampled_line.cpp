@@ -65,8 +65,7 @@ Evidence SampledLine::evidenceAt(double s, std::size_t& node, const FreeSpace& s
 	while (node + 1 < line_.points.size() && path_.arc(node) < s) node++;
 	Evidence e;
 	e.hits = hitsOf(occupancyBetween(node, s));
-	e.passes =
-		passesAcross(space, space.frame().toLattice({p.x, p.y}), unit(Frame::rotateToLattice(after - before)));
+	e.passes = passesAcross(space, space.frame().toLattice({p.x, p.y}), unit(Frame::rotateToLattice(after - before)));
 	return e;
 }
 
@@ -93,7 +92,10 @@ void SampledLine::fillOccupancies()
 }
 
 /** Place at an arc length that may lie beyond the ends of an open line. */
-Vec2 SampledLine::behind(double s) const { return path_.at(line_.closed ? s : std::max(0.0, std::min(path_.length(), s))); }
+Vec2 SampledLine::behind(double s) const
+{
+	return path_.at(line_.closed ? s : std::max(0.0, std::min(path_.length(), s)));
+}
 
 /** Density between node - 1 and node. */
 double SampledLine::occupancyBetween(std::size_t node, double s) const
