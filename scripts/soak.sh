@@ -5,7 +5,8 @@ set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 usage="usage: scripts/soak.sh [--minutes N] [--seed N] [--libfuzzer]
-  --minutes N   for each fuzz target (default 10); 20,000 times as many flips, 40 + 20 N scenes
+  --minutes N   for each fuzz target (default 10); 20,000 times as many flips, 50 times as many
+                cuts of two recordings, 40 + 20 N scenes
   --seed N      of everything random (default: the time in seconds, which is printed)
   --libfuzzer   build the fuzz targets with clang's libFuzzer and the sanitizers, too, and run these"
 
@@ -28,7 +29,7 @@ done
 
 targets=(states map_file text svg plan)
 say "seed $seed"
-build dev ridgemap-mrpt-damage-unittest core_exactness core_purity "${targets[@]/#/fuzz_}"
+build dev ridgemap-mrpt-damage-unittest apps_keep_going_unittest core_exactness core_purity "${targets[@]/#/fuzz_}"
 bin="$root/build-dev/bin"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -36,6 +37,8 @@ cd "$work"
 
 say "flipped bits"
 RIDGEMAP_FLIPS=$((20000 * minutes)) RIDGEMAP_SEED=$((seed % 1000000)) "$bin/ridgemap-mrpt-damage-unittest" --gtest_filter='DamagedFile.*'
+say "cut recordings"
+RIDGEMAP_CUTS=$((50 * minutes)) "$bin/apps_keep_going_unittest" --gtest_filter='*cutAtAnyByte'
 say "random scenes against the oracle"
 RIDGEMAP_SCENES=$((40 + 20 * minutes)) "$bin/core_exactness"
 RIDGEMAP_SCENES=$((40 + 20 * minutes)) "$bin/core_purity"
@@ -64,6 +67,6 @@ for target in "${targets[@]}"; do
 	"$bin/fuzz_$target" -write="corpus-$target"
 	# The suppressed leaks are of MRPT; a map of 4 kB takes far less than 2 GB.
 	ASAN_OPTIONS=detect_leaks=0 "$root/build-fuzz/bin/fuzz_$target" -max_total_time=$((60 * minutes)) -max_len=4096 \
-		-rss_limit_mb=2000 "corpus-$target" 2>fuzz.log || die "$(tail -30 fuzz.log)"
+		-rss_limit_mb=2000 -timeout=100 "corpus-$target" 2>fuzz.log || die "$(tail -30 fuzz.log)"
 	say "fuzz_$target with libFuzzer: $(tail -1 fuzz.log)"
 done

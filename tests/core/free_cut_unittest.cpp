@@ -108,6 +108,22 @@ TEST(FreeCut, StaysWhereHitsOutweighPasses)
 	}
 }
 
+TEST(FreeCut, TheDensityIsInterpolatedBetweenVertices)
+{
+	const Options options;
+	FreeSpace space(options);
+	space.insert(curtain(-5, 5, 0.004));
+	const double passes = passesAcross(space, space.frame().toLattice({0, 0}), Frame::rotateToLattice({1, 0}));
+	// From twice the density that outweighs the passes down to hardly any: that much is left in the middle.
+	Polyline line = lineAt(0, -4, 4, 2 * passes);
+	line.points = {line.points.front(), line.points.back()};
+	line.info = {line.info.front(), line.info.back()};
+	line.info[1].occupancy = float(0.001 * passes);  // 0 would say that it is not known
+	const auto kept = cutFree({line}, space, options);
+	ASSERT_EQ(kept.size(), 1u);
+	EXPECT_NEAR(kept[0].length(), 4, 10 * options.sigma);
+}
+
 TEST(FreeCut, PartsOfASingleSegmentAreSegments)
 {
 	const Options options;

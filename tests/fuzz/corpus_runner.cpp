@@ -2,6 +2,8 @@
 // Runs a fuzz target without libFuzzer: on its seeds, on the files given, and on random changes of both.
 //   TARGET [-runs=N] [-seed=N] [-write=DIRECTORY] [FILE...]
 // With -write, the seeds are written as files for libFuzzer, and nothing is run.
+#include <unistd.h>
+
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -57,6 +59,16 @@ Bytes changed(Bytes bytes, const std::vector<Bytes>& all, std::mt19937& random)
 	return bytes;
 }
 
+/** An input that takes longer than this [s] is taken for one without end: SIGALRM ends the program. */
+constexpr unsigned longest = 100;
+
+void runOne(const Bytes& bytes)
+{
+	alarm(longest);
+	LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+	alarm(0);
+}
+
 int writeSeeds(const std::string& directory)
 {
 	int n = 0;
@@ -85,13 +97,12 @@ int main(int argc, char** argv)
 			corpus.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
 		}
 	corpus.emplace_back();
-	for (const Bytes& bytes : corpus) LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+	for (const Bytes& bytes : corpus) runOne(bytes);
 	for (long run = 0; run < runs; run++)
 	{
 		// Each run has a generator of its own, so that one can be repeated alone.
 		std::mt19937 random(seed + unsigned(run));
-		const Bytes bytes = changed(corpus[random() % corpus.size()], corpus, random);
-		LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+		runOne(changed(corpus[random() % corpus.size()], corpus, random));
 	}
 	std::printf("%zu seeds and %ld random inputs, seeds %u to %ld\n", corpus.size(), runs, seed, long(seed) + runs - 1);
 	return 0;
