@@ -3,7 +3,7 @@
 # evaluate_icp.sh <build directory> <logs directory> <log>...: path errors of MRPT's icp-slam on real logs, as a table.
 # For every log, the directory holds <log>.rawlog and <log>_gt.txt.gz with one true pose 't x y phi' for each scan.
 # Compared are the ridge map (datasets/config/icp-slam/ridge-points.ini), the same settings on MRPT's points map, also by
-# Levenberg-Marquardt, and the settings of the MRPT demo, also on its grid. REPETITIONS=5 perturbs the ridge map's
+# Levenberg-Marquardt, and on its grid of 5 cm, and the settings of the MRPT demo on both. REPETITIONS=5 perturbs the ridge map's
 # runs: another decimation (whose offset changes from one iteration to the next), another eps, and starts 10 and 25 scans
 # later, from other poses, the last with another first gate. RIDGES_ONLY=1 leaves the maps of MRPT out.
 set -euo pipefail
@@ -31,6 +31,15 @@ as_points()
 	printf '\n[MappingApplication_pointsMap_00_insertOpts]\nminDistBetweenLaserPoints = 0.05\nfuseWithExisting = false\nisPlanarMap = 1\n'
 }
 
+# as_grid <ini>: the same settings for MRPT's grid, matched with itself.
+as_grid()
+{
+	sed -E 's/^pointsMap_count.*/pointsMap_count = 0/; s/^occupancyGrid_count.*//; s/^matchAgainstTheGrid.*/matchAgainstTheGrid = 1/
+		/^\[MappingApplication_pointsMap/,$d; s/^\[MappingApplication\].*/&\noccupancyGrid_count = 1/' "$1"
+	printf '\n[MappingApplication_occupancyGrid_00_creationOpts]\nresolution = 0.05\n'
+	printf '\n[MappingApplication_occupancyGrid_00_insertOpts]\nmaxOccupancyUpdateCertainty = 0.8\nmaxDistanceInsertion = 80\n'
+}
+
 # row <title> <ini> <log> [skip]: one run, one line of the table; the path starts that many scans later.
 row()
 {
@@ -48,6 +57,8 @@ quiet "$tuned" >"$scratch/tuned.ini"
 as_points "$scratch/tuned.ini" >"$scratch/points.ini"
 sed 's/icpClassic/icpLevenbergMarquardt/' "$scratch/points.ini" >"$scratch/lm.ini"
 quiet "$demo" >"$scratch/demo.ini"
+as_grid "$scratch/points.ini" >"$scratch/grid.ini"
+as_grid "$scratch/demo.ini" >"$scratch/grid-demo.ini"
 # set_variant <number> <sed program>: a perturbed variant.
 set_variant() { sed -E "$2" "$scratch/tuned.ini" >"$scratch/variant$1.ini"; }
 set_variant 1 's/^corresponding_points_decimation.*/corresponding_points_decimation = 2/'
@@ -67,4 +78,6 @@ for log in "$@"; do
 	row 'points map, same settings' "$scratch/points.ini" "$log"
 	row 'points map, Levenberg-Marquardt' "$scratch/lm.ini" "$log"
 	row 'points map, MRPT demo' "$scratch/demo.ini" "$log"
+	row 'grid, same settings' "$scratch/grid.ini" "$log"
+	row 'grid, MRPT demo' "$scratch/grid-demo.ini" "$log"
 done

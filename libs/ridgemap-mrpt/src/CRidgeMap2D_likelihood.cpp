@@ -194,7 +194,9 @@ double CRidgeMap2D::internal_computeObservationLikelihood(const mrpt::obs::CObse
 										   : model.byDistance(std::pow(index->distance(p, o.maxDistance), 2)));
 		};
 		double sum = free;
-		for (const Point2& end : ends) sum += table->at(end, value);
+		const auto isFar = [&](const Point2& p, double reach)
+		{ return !o.useOccupancy && !index->hasWithin(p, o.maxDistance + reach); };
+		for (const Point2& end : ends) sum += table->at(end, value, isFar);
 		return sum;
 	}
 	LogSum sum;

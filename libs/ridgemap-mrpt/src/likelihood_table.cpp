@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "likelihood_table.h"
 
-#include <limits>
-
 namespace ridgemap
 {
 LikelihoodTable::LikelihoodTable(const Settings& settings, const Box2& box, double pitch, double outside)
@@ -23,13 +21,13 @@ LikelihoodTable::LikelihoodTable(const Settings& settings, const Box2& box, doub
 	blocks_ = std::make_unique<std::atomic<Block*>[]>(blockColumns_ * (std::size_t(rows) / blockEdge + 1));
 }
 
-LikelihoodTable::Block* LikelihoodTable::addBlock(std::atomic<Block*>& place)
+LikelihoodTable::Block* LikelihoodTable::addBlock(std::atomic<Block*>& place, float initial)
 {
 	const std::lock_guard<std::mutex> lock(mutex_);
 	Block* block = place.load(std::memory_order_relaxed);
 	if (block) return block;  // of another thread
 	block = &blockStore_.emplace_back();
-	for (auto& value : *block) value.store(std::numeric_limits<float>::quiet_NaN(), std::memory_order_relaxed);
+	for (auto& value : *block) value.store(initial, std::memory_order_relaxed);
 	place.store(block, std::memory_order_release);
 	return block;
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -31,16 +32,25 @@ class LikelihoodTable
 	bool usable() const { return blocks_ != nullptr; }
 
 	/** The value of the cell that a point lies in. O(1) if it has been made.
-	 * @param make given the centre of the cell, returns a number. */
-	template <class Make>
-	double at(const Point2& p, Make&& make)
+	 * @param make given the centre of the cell, returns a number.
+	 * @param isFar given a point and a distance, whether `make` returns the value outside everywhere within it. Blocks
+	 * of cells that are far from everything need no other query. */
+	template <class Make, class IsFar>
+	double at(const Point2& p, Make&& make, IsFar&& isFar)
 	{
 		const double u = (p.x - corner_.x) * perMetre_, v = (p.y - corner_.y) * perMetre_;
 		if (!(u >= 0 && v >= 0 && u < columns_ && v < rows_)) return outside_;
 		const auto x = std::uint32_t(u), y = std::uint32_t(v);
 		std::atomic<Block*>& place = blocks_[std::size_t(y / blockEdge) * blockColumns_ + x / blockEdge];
 		Block* block = place.load(std::memory_order_acquire);
-		if (!block) block = addBlock(place);
+		if (!block)
+		{
+			const auto middle = [&](std::uint32_t cell)
+			{ return (double(cell / blockEdge * blockEdge) + 0.5 * blockEdge) * pitch_; };
+			const double reach = 0.7072 * blockEdge * pitch_;
+			const bool far = isFar(Point2{corner_.x + middle(x), corner_.y + middle(y)}, reach);
+			block = addBlock(place, far ? float(outside_) : std::numeric_limits<float>::quiet_NaN());
+		}
 		std::atomic<float>& value = (*block)[y % blockEdge * blockEdge + x % blockEdge];
 		const float known = value.load(std::memory_order_relaxed);
 		if (!std::isnan(known)) return known;
@@ -55,7 +65,7 @@ class LikelihoodTable
 	static constexpr std::uint32_t blockEdge = 32;
 	using Block = std::array<std::atomic<float>, blockEdge * blockEdge>;
 
-	Block* addBlock(std::atomic<Block*>& place);
+	Block* addBlock(std::atomic<Block*>& place, float value);
 
 	Settings settings_;
 	Point2 corner_;
