@@ -189,6 +189,18 @@ TEST(Occupancy, OfOneMeasurementIsTheKernel)
 	}
 }
 
+TEST(Occupancy, IsZeroOutsideOfTheWorld)
+{
+	const double edge = maxCoordinate, beyond = edge + 0.01;
+	RidgeMap map;
+	map.insert({{edge, 0}, {0, -edge}});
+	EXPECT_GT(map.occupancy({edge, 0}).value, 0.9);
+	EXPECT_GT(map.occupancy({0, -edge}).value, 0.9);
+	for (const Point2& p : {Point2{beyond, 0}, Point2{0, -beyond}, Point2{std::nan(""), 0}, Point2{0, std::nan("")},
+							Point2{0, -std::numeric_limits<double>::infinity()}})
+		EXPECT_EQ(map.occupancy(p).value, 0) << p.x << " " << p.y;
+}
+
 TEST(Occupancy, IsZeroWhereThereIsNothing)
 {
 	const double nan = std::numeric_limits<double>::quiet_NaN();
