@@ -8,6 +8,7 @@
 #include <mrpt/obs/CObservationVelodyneScan.h>
 #include <ridgemap/observation_to_measurements.h>
 
+#include <cmath>
 #include <limits>
 
 #include "scenes.h"
@@ -98,6 +99,31 @@ TEST(Observations, Scan2DLeavesOutWhatIsNoRange)
 	EXPECT_EQ(observationToMeasurements(scan, robotPose, wide).size(), 20 - std::size(bad) + 2);
 	for (const auto& m : all) EXPECT_LE(std::hypot(m.x - m.sensorX, m.y - m.sensorY), 4);
 	EXPECT_TRUE(observationToMeasurements(mrpt::obs::CObservation2DRangeScan(), robotPose, wide).empty());
+}
+
+TEST(Observations, Scan2DOfOneBeam)
+{
+	mrpt::obs::CObservation2DRangeScan scan;
+	scan.aperture = 0.1f;
+	scan.maxRange = 30;
+	scan.sensorPose = sensorPose;
+	scan.resizeScan(1);
+	scan.setScanRange(0, 2.5f);
+	scan.setScanRangeValidity(0, true);
+	const auto all = observationToMeasurements(scan, robotPose, TInsertionOptions());
+	ASSERT_EQ(all.size(), 1u);
+	expectPoint(all[0], {2.5, 0, 0}, sensorPose);
+	CRidgeMap2D map;
+	EXPECT_TRUE(map.insertObservation(scan, robotPose));
+	EXPECT_TRUE(std::isfinite(map.computeObservationLikelihood(scan, robotPose)));
+	for (const float bad : {notANumber, infinite, -1.0f, 0.0f, 30.0f})
+	{
+		scan.setScanRange(0, bad);
+		EXPECT_TRUE(observationToMeasurements(scan, robotPose, TInsertionOptions()).empty()) << bad;
+	}
+	scan.setScanRange(0, 2.5f);
+	scan.setScanRangeValidity(0, false);
+	EXPECT_TRUE(observationToMeasurements(scan, robotPose, TInsertionOptions()).empty());
 }
 
 TEST(Observations, Scan2DMustBeLevel)

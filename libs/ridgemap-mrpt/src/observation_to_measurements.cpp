@@ -116,6 +116,16 @@ void convert(const mrpt::obs::CObservation2DRangeScan& scan, const CPose3D& robo
 			 Collector& out)
 {
 	if (!isLevel(robotPose + scan.sensorPose, options)) return;
+	if (scan.getScanSize() == 1)  // MRPT refuses these
+	{
+		std::vector<TPoint3D> points;
+		const double range = scan.getScanRange(0);
+		const Point2 u = beamDirection(scan, 0);
+		if (scan.getScanRangeValidity(0) && range > 0 && range < double(scan.maxRange))
+			points.push_back(scan.sensorPose.composePoint({range * u.x, range * u.y, 0}));
+		out.add({points, robotPose, scan.sensorPose.translation(), false});
+		return;
+	}
 	// Negative ranges would come out as points behind the sensor, like good ones: they are ruled out beforehand.
 	mrpt::obs::CObservation2DRangeScan cleaned = scan;
 	for (std::size_t i = 0; i < cleaned.getScanSize(); i++)
