@@ -4,7 +4,7 @@
 # Usage: imported_plan.sh <ridgemap-simulate> <ridgemap-import> <ridgemap-run>
 # Exits 77 (skipped) where pf-localization is not installed.
 set -euo pipefail
-simulate=$1 import=$2 launcher=$3
+simulate=$(realpath "$1") import=$(realpath "$2") launcher=$(realpath "$3")
 config=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../datasets/config" && pwd)
 
 command -v pf-localization >/dev/null || { echo "pf-localization is not installed"; exit 77; }

@@ -4,7 +4,7 @@
 # Usage: stock_programs.sh <program> <ini> <ridgemap-run>
 # Exits 77 (skipped) where the program or the data of Debian's mrpt-common are not installed.
 set -euo pipefail
-program=$1 ini=$2 launcher=$3
+program=$1 ini=$2 launcher=$(realpath "$3")
 config=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../datasets/config" && pwd)
 data=/usr/share/mrpt/datasets
 

@@ -4,7 +4,7 @@
 # Usage: viewers.sh <ridgemap-run> [<directory for screenshots>]
 # Exits 77 (skipped) where a program or the data of Debian's mrpt-common are not installed.
 set -euo pipefail
-launcher=$1
+launcher=$(realpath "$1")
 config=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../datasets/config" && pwd)
 data=/usr/share/mrpt/datasets
 

@@ -43,7 +43,7 @@ void Options::validate() const
 {
 	checkRange("sigma", sigma, 1e-3, 1e3, " m");
 	if (eps != 0 && !(eps >= sigma * 1e-4 && eps <= sigma * 0.5))
-		reject("eps", eps, "0 (sigma/50) or from sigma/10000 to sigma/2 [m]");
+		reject("eps", eps, "0 (sigma/50) or from sigma/10000 to sigma/2");
 	checkRange("lTol", lTol, 0.1, 1e9, " kernel peaks");
 	checkRange("dTol", dTol, 0.5, 4, " sigma");
 	if (cell != 0 && cell != 1 && cell != 0.5 && cell != 0.25 && cell != 0.125)

@@ -62,7 +62,7 @@ void loadSection(T& options, const mrpt::config::CConfigFileBase& source, const 
 	}
 	catch (const std::invalid_argument& e)
 	{
-		throw std::invalid_argument("section [" + section + "]: " + e.what());
+		throw std::invalid_argument("section '" + section + "': " + e.what());
 	}
 	options = loaded;
 }
@@ -208,8 +208,8 @@ void MapOptions::loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
 		const auto same = [&](const std::string& k) { return normalizedKey(k) == n; };
 		if (n.compare(0, prefix.size(), prefix) == 0 && std::none_of(known.begin(), known.end(), same))
 			throw std::invalid_argument(
-				"a ridge map has no section [" + name +
-				"]; the endings are _creationOpts, _insertOpts, _likelihoodOpts, _renderOpts and _matchingOpts");
+				"a ridge map has no section '" + name +
+				"'; the endings are _creationOpts, _insertOpts, _likelihoodOpts, _renderOpts and _matchingOpts");
 	}
 	*this = loaded;
 }

@@ -103,10 +103,17 @@ std::string optionText(const mrpt::img::TColor& c)
 
 std::string rangeText(const FieldInfo& info)
 {
-	std::string s = "from " + optionText(info.lowest) + " to " + optionText(info.highest);
-	if (*info.unit) s += std::string(" [") + info.unit + "]";
-	return s;
+	return "from " + optionText(info.lowest) + " to " + optionText(info.highest);
 }
+
+namespace
+{
+/** "from a to b unit": without brackets, for the programs of MRPT take what ends with ']' for a place in a source. */
+std::string allowedRange(const FieldInfo& info)
+{
+	return rangeText(info) + (*info.unit ? " " + std::string(info.unit) : "");
+}
+}  // namespace
 
 void rejectOption(const FieldInfo& info, const std::string& text, const std::string& allowed)
 {
@@ -117,7 +124,7 @@ void rejectOption(const FieldInfo& info, const std::string& text, const std::str
 void parseOption(const FieldInfo& info, const std::string& text, double& value)
 {
 	double v;
-	const std::string allowed = info.hasRange() ? "a number " + rangeText(info) : std::string("a number");
+	const std::string allowed = info.hasRange() ? "a number " + allowedRange(info) : std::string("a number");
 	if (!parseWhole(text, v)) rejectOption(info, text, allowed);
 	if (info.hasRange() && !(v >= info.lowest && v <= info.highest)) rejectOption(info, text, allowed);
 	value = v;
@@ -126,7 +133,7 @@ void parseOption(const FieldInfo& info, const std::string& text, double& value)
 void parseOption(const FieldInfo& info, const std::string& text, unsigned& value)
 {
 	unsigned v;
-	const std::string allowed = "a whole number " + rangeText(info);
+	const std::string allowed = "a whole number " + allowedRange(info);
 	if (!parseWhole(text, v, 10) || !(v >= info.lowest && v <= info.highest)) rejectOption(info, text, allowed);
 	value = v;
 }

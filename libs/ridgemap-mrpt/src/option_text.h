@@ -21,7 +21,7 @@ void parseOption(const FieldInfo& info, const std::string& text, mrpt::img::TCol
 
 [[noreturn]] void rejectOption(const FieldInfo& info, const std::string& text, const std::string& allowed);
 
-/** "from a to b [unit]". */
+/** "from a to b". */
 std::string rangeText(const FieldInfo& info);
 
 /** Keys and words are compared without case and underscores. */
@@ -69,10 +69,8 @@ std::string optionComment(const FieldInfo& info, const T&)
 {
 	std::string s = info.text;
 	if constexpr (std::is_enum_v<T>) s += ": " + wordsText<T>();
-	if (info.hasRange())
-		s += ", " + rangeText(info);
-	else if (*info.unit)
-		s += std::string(" [") + info.unit + "]";
+	if (info.hasRange()) s += ", " + rangeText(info);
+	if (*info.unit) s += std::string(" [") + info.unit + "]";
 	return s;
 }
 
