@@ -145,11 +145,10 @@ void Chains::update(TileStore& tiles, const std::vector<ReplacedTile>& replaced,
 	{
 		for (const PieceRef& r : chains_.at(id).pieces)
 		{
-			Tile* tile = tiles.find(r.tile);
+			const Tile* tile = tiles.find(r.tile);
 			if (!tile || std::size_t(r.piece) >= tile->chainOfPiece.size()) continue;
-			PolylineId& owner = tile->chainOfPiece[std::size_t(r.piece)];
-			if (owner != id) continue;
-			owner = 0;
+			if (tile->chainOfPiece[std::size_t(r.piece)] != id) continue;
+			tiles.own(r.tile)->chainOfPiece[std::size_t(r.piece)] = 0;
 			pending.push_back(r);
 		}
 		chains_.erase(id);
@@ -161,7 +160,7 @@ void Chains::update(TileStore& tiles, const std::vector<ReplacedTile>& replaced,
 		if (tiles.find(r.tile)->chainOfPiece[std::size_t(r.piece)] != 0) continue;
 		Chain chain = assemble(tiles, r);
 		const PolylineId id = nextId_++;
-		for (const PieceRef& q : chain.pieces) tiles.find(q.tile)->chainOfPiece[std::size_t(q.piece)] = id;
+		for (const PieceRef& q : chain.pieces) tiles.own(q.tile)->chainOfPiece[std::size_t(q.piece)] = id;
 		chains_.emplace(id, std::move(chain));
 		result.appeared.push_back(id);
 	}

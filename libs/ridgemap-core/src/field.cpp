@@ -121,7 +121,7 @@ double TileField::nearestNode(Vec2 p) const
 	std::int64_t sum = 0;
 	for (const NodeLayer& layer : b->layers)
 		if (!layer.nodes.empty())
-			sum += layer.nodes[std::size_t(row % nodesPerBlock * nodesPerBlock + column % nodesPerBlock)];
+			sum += layer.nodes.data()[row % nodesPerBlock * nodesPerBlock + column % nodesPerBlock];
 	return double(sum) / nodesPerKernel;
 }
 
@@ -238,7 +238,7 @@ KernelSums sumOfCells(TileStore& store, const Options& options, Vec2 p)
 		for (std::int64_t bx = index(p.x - options.cutoff); bx <= index(p.x + options.cutoff); bx++)
 		{
 			const TileKey key = store.tileOfBlock(bx, by);
-			Tile* tile = store.find(key);
+			Tile* tile = store.own(key);  // the kernels are kept
 			if (!tile) continue;
 			Block& b = tile->blocks[std::size_t((by - std::int64_t(key.y) * n) * n + bx - std::int64_t(key.x) * n)];
 			b.makeKernels(grid);

@@ -30,17 +30,6 @@ FreeSpace::FreeSpace(const Options& options)
 {
 }
 
-FreeSpace::FreeSpace(const FreeSpace& o) : frame_(o.frame_), margin_(o.margin_), counting_(o.counting_)
-{
-	for (const auto& [key, t] : o.tiles_) tiles_[key] = std::make_unique<CounterTile>(*t);
-}
-
-FreeSpace& FreeSpace::operator=(const FreeSpace& o)
-{
-	if (this != &o) *this = FreeSpace(o);
-	return *this;
-}
-
 std::vector<LatticeRay> FreeSpace::raysOf(const std::vector<Measurement>& measurements) const
 {
 	std::vector<LatticeRay> rays;

@@ -17,10 +17,6 @@ class FreeSpace
 {
  public:
 	explicit FreeSpace(const Options& options);
-	FreeSpace(const FreeSpace& o);
-	FreeSpace& operator=(const FreeSpace& o);
-	FreeSpace(FreeSpace&&) = default;
-	FreeSpace& operator=(FreeSpace&&) = default;
 
 	const Frame& frame() const { return frame_; }
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "free_ray.h"
+#include "shared.h"
 
 namespace ridgemap
 {
@@ -66,8 +67,11 @@ void CounterTile::reserve(std::uint32_t rays)
 
 CounterTile& tileAt(CounterTiles& tiles, TileKey key)
 {
-	std::unique_ptr<CounterTile>& t = tiles[key];
-	if (!t) t = std::make_unique<CounterTile>();
+	std::shared_ptr<CounterTile>& t = tiles[key];
+	if (!t)
+		t = std::make_shared<CounterTile>();
+	else if (isShared(t))
+		t = std::make_shared<CounterTile>(*t);
 	return *t;
 }
 

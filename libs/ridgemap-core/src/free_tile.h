@@ -79,9 +79,10 @@ class CounterTile
 	std::uint32_t bound_ = 0;  ///< so many rays, at most, made each of the packed sums
 };
 
-using CounterTiles = std::unordered_map<TileKey, std::unique_ptr<CounterTile>, TileKeyHash>;
+/** Copies share each tile until one of them changes it. */
+using CounterTiles = std::unordered_map<TileKey, std::shared_ptr<CounterTile>, TileKeyHash>;
 
-/** The tile of this key, made if need be. */
+/** The tile of this key for a change, made if need be; copies then no longer share it. */
 CounterTile& tileAt(CounterTiles& tiles, TileKey key);
 
 }  // namespace ridgemap

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "shared.h"
+
 namespace ridgemap
 {
 namespace
@@ -89,12 +91,19 @@ void Block::forgetBefore()
 		before.clear();
 }
 
+SharedNodes::Values& SharedNodes::own()
+{
+	if (!values_) values_ = std::make_shared<Values>();
+	if (isShared(values_)) values_ = std::make_shared<Values>(*values_);
+	return *values_;
+}
+
 std::vector<std::int64_t>& Block::nodesOf(std::uint32_t bin)
 {
 	auto it = layers.begin();
 	while (it != layers.end() && it->bin < bin) ++it;
 	if (it == layers.end() || it->bin != bin) it = layers.insert(it, {bin, {}});
-	return it->nodes;
+	return it->nodes.own();
 }
 
 const std::int64_t* Block::findNodes(std::uint32_t bin) const

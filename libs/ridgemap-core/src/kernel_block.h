@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "frame.h"
@@ -83,11 +84,32 @@ struct CellPoint
 	std::uint32_t bin;
 };
 
-/** Values at the nodes of a block, of the measurements of one direction bin; row by row. */
+/** Values at the nodes of a block, row by row. Copies share them until one is changed: they are most of what a map
+ * holds, and particle filters copy maps all the time. */
+class SharedNodes
+{
+ public:
+	using Values = std::vector<std::int64_t>;
+
+	bool empty() const { return !values_ || values_->empty(); }
+	const std::int64_t* data() const { return values_ ? values_->data() : nullptr; }
+	/** For a change: nobody else sees it. */
+	Values& own();
+
+	bool operator==(const SharedNodes& o) const
+	{
+		return empty() || o.empty() ? empty() == o.empty() : *values_ == *o.values_;
+	}
+
+ private:
+	std::shared_ptr<Values> values_;
+};
+
+/** Values at the nodes of a block, of the measurements of one direction bin. */
 struct NodeLayer
 {
 	std::uint32_t bin = 0;
-	std::vector<std::int64_t> nodes;
+	SharedNodes nodes;
 };
 
 /** Number, mean relative to the block centre and central second moments per measurement of a cell [sigma]. */

@@ -38,7 +38,7 @@ void Lattice::refreshTile(TileChanges& changes, SpreadScratch& scratch)
 	const std::int64_t n = tiles_.blocksPerEdge();
 	std::array<Tile*, 9> around;
 	for (int i = 0; i < 9; i++)
-		around[std::size_t(i)] = tiles_.find({changes.key.x + i % 3 - 1, changes.key.y + i / 3 - 1});
+		around[std::size_t(i)] = tiles_.findOwned({changes.key.x + i % 3 - 1, changes.key.y + i / 3 - 1});
 	const BlockIndex corner{(changes.key.x - 1) * n, (changes.key.y - 1) * n};
 	std::vector<bool> touched(std::size_t(9 * n * n), false);
 	const auto blockNear = [&](std::int64_t x, std::int64_t y) -> Block&
@@ -90,7 +90,8 @@ std::vector<Lattice::TileChanges> Lattice::changesByTile(const std::vector<Block
 	return result;
 }
 
-/** Makes the tiles that changes of these blocks may reach; returns those that were not there. */
+/** Makes the tiles that changes of these blocks may reach, and parts them from those of copies; returns those that were
+ * not there. */
 std::vector<TileKey> Lattice::makeTilesInReach(const std::vector<BlockIndex>& blocks)
 {
 	std::vector<TileKey> made;
@@ -112,7 +113,7 @@ std::vector<TileKey> Lattice::makeTilesInReach(const std::vector<BlockIndex>& bl
 		for (TileKey key{low.x, low.y}; key.y <= high.y; key.y++)
 			for (key.x = low.x; key.x <= high.x; key.x++)
 			{
-				if (tiles_.find(key)) continue;
+				if (tiles_.own(key)) continue;
 				tiles_.at(key);
 				made.push_back(key);
 			}

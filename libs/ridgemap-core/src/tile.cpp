@@ -3,29 +3,24 @@
 
 #include <algorithm>
 
+#include "shared.h"
+
 namespace ridgemap
 {
-TileStore::TileStore(const TileStore& o) : blocksPerEdge_(o.blocksPerEdge_), sided_(o.sided_)
+Tile* TileStore::own(TileKey key)
 {
-	tiles_.reserve(o.tiles_.size());
-	for (const auto& entry : o.tiles_) tiles_.emplace(entry.first, std::make_unique<Tile>(*entry.second));
-}
-
-TileStore& TileStore::operator=(const TileStore& o)
-{
-	TileStore copy(o);
-	*this = std::move(copy);
-	return *this;
+	const auto it = tiles_.find(key);
+	if (it == tiles_.end()) return nullptr;
+	if (isShared(it->second)) it->second = std::make_shared<Tile>(*it->second);
+	return it->second.get();
 }
 
 Tile& TileStore::at(TileKey key)
 {
-	std::unique_ptr<Tile>& slot = tiles_[key];
-	if (!slot)
-	{
-		slot = std::make_unique<Tile>();
-		slot->blocks.resize(std::size_t(blocksPerEdge_) * std::size_t(blocksPerEdge_));
-	}
+	if (Tile* present = own(key)) return *present;
+	std::shared_ptr<Tile>& slot = tiles_[key];
+	slot = std::make_shared<Tile>();
+	slot->blocks.resize(std::size_t(blocksPerEdge_) * std::size_t(blocksPerEdge_));
 	return *slot;
 }
 

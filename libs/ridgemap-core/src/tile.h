@@ -150,15 +150,12 @@ struct Tile
 		traceReach;  ///< blocks that were looked at for the corner, the borders, the pieces
 };
 
-/** All tiles of a map by their key. Tiles that hold nothing need not exist. */
+/** All tiles of a map by their key. Tiles that hold nothing need not exist. Copies share each tile until one of them
+ * changes it. */
 class TileStore
 {
  public:
 	explicit TileStore(int blocksPerEdge) : blocksPerEdge_(blocksPerEdge) {}
-	TileStore(const TileStore& o);
-	TileStore& operator=(const TileStore& o);
-	TileStore(TileStore&&) = default;
-	TileStore& operator=(TileStore&&) = default;
 
 	int blocksPerEdge() const { return blocksPerEdge_; }
 	/** Some measurements tell from which side they were seen. */
@@ -171,8 +168,11 @@ class TileStore
 		const auto it = tiles_.find(key);
 		return it == tiles_.end() ? nullptr : it->second.get();
 	}
-	Tile* find(TileKey key) { return const_cast<Tile*>(static_cast<const TileStore*>(this)->find(key)); }
-	/** The tile of this key, made if need be. */
+	/** The same tile for a change, which copies of this store then no longer share; not beside other calls. */
+	Tile* own(TileKey key);
+	/** A tile that own() or at() gave before, as long as the store has not been copied since. */
+	Tile* findOwned(TileKey key) { return const_cast<Tile*>(find(key)); }
+	/** The tile of this key for a change, made if need be; as own(). */
 	Tile& at(TileKey key);
 	void remove(TileKey key) { tiles_.erase(key); }
 	void clear() { tiles_.clear(); }
@@ -193,7 +193,7 @@ class TileStore
  private:
 	int blocksPerEdge_;
 	bool sided_ = false;
-	std::unordered_map<TileKey, std::unique_ptr<Tile>, TileKeyHash> tiles_;
+	std::unordered_map<TileKey, std::shared_ptr<Tile>, TileKeyHash> tiles_;
 };
 
 }  // namespace ridgemap

@@ -191,7 +191,7 @@ double CRidgeMap2D::internal_computeObservationLikelihood(const mrpt::obs::CObse
 		const auto value = [&](const Point2& p)
 		{
 			return std::log(o.useOccupancy ? model.byOccupancy(core().occupancy(p).value)
-										   : model.byDistance(std::pow(index->distance(p, o.maxDistance), 2)));
+										   : model.byDistance(std::pow(index->scatteredDistance(p, o.maxDistance), 2)));
 		};
 		double sum = free;
 		const auto isFar = [&](const Point2& p, double reach)

@@ -275,6 +275,12 @@ double PolylineIndex::distance(const Point2& query, double maxDistance) const
 	return std::min(maxDistance, std::sqrt(search(query, maxDistance).distanceSqr));
 }
 
+double PolylineIndex::scatteredDistance(const Point2& query, double maxDistance) const
+{
+	if (segments_.empty() || !isFinite(query) || !(maxDistance >= 0)) return maxDistance;
+	return std::min(maxDistance, std::sqrt(searchWithoutCells(query, maxDistance).distanceSqr));
+}
+
 void PolylineIndex::distancesSqr(const std::vector<Point2>& queries, double maxDistance,
 								 std::vector<double>& distancesSqr) const
 {

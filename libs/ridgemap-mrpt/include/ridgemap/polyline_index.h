@@ -65,6 +65,9 @@ class PolylineIndex
 
 	/** Distance to the nearest point, capped at maxDistance; maxDistance for a query that is not finite. */
 	double distance(const Point2& query, double maxDistance) const;
+	/** The same for many scattered queries with a small maxDistance, near to which nobody asks again: leaves the cells
+	 * alone, which take longer to make than one search in the buckets. */
+	double scatteredDistance(const Point2& query, double maxDistance) const;
 
 	/** The squares of the distances of many queries, capped at maxDistance^2. @param distancesSqr takes the results. */
 	void distancesSqr(const std::vector<Point2>& queries, double maxDistance, std::vector<double>& distancesSqr) const;
