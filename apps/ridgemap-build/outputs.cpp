@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "outputs.h"
 
-#include <mrpt/opengl/COpenGLScene.h>
-#include <mrpt/opengl/CSetOfLines.h>
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <ridgemap/drawing.h>
 #include <ridgemap/gz_archive.h>
 #include <ridgemap/polyline_csv.h>
+#include <ridgemap/scene_file.h>
 
 #include <filesystem>
 
@@ -20,18 +19,6 @@ namespace fs = std::filesystem;
 namespace
 {
 constexpr const char* remedy = "choose another -o PREFIX, or make room there";
-
-mrpt::opengl::CSetOfLines::Ptr pathLines(const std::vector<std::vector<Point2>>& robotPaths)
-{
-	auto lines = mrpt::opengl::CSetOfLines::Create();
-	lines->setColor_u8(0xf0, 0x80, 0x18);
-	lines->setName("robot path");
-	for (const auto& path : robotPaths)
-		for (std::size_t i = 1; i < path.size(); i++)
-			lines->appendLine(path[i - 1].x, path[i - 1].y, 0, path[i].x, path[i].y, 0);
-	return lines;
-}
-
 }  // namespace
 
 Outputs::Outputs(const std::string& prefix, const std::set<std::string>& formats, const PictureContents& pictures)
@@ -141,12 +128,10 @@ void Outputs::writeScene(const CRidgeMap2D& map, const std::vector<std::vector<P
 	keep("3dscene",
 		 [&](AtomicFile& file)
 		 {
-			 mrpt::opengl::COpenGLScene scene;
 			 auto objects = mrpt::opengl::CSetOfObjects::Create();
 			 map.getVisualizationInto(*objects);
-			 scene.insert(objects);
-			 if (!robotPaths.empty()) scene.insert(pathLines(robotPaths));
-			 writeGzArchive(file, [&](mrpt::serialization::CArchive& out) { out << scene; });
+			 if (!robotPaths.empty()) objects->insert(sceneLines(robotPaths, "robot path", {0xf0, 0x80, 0x18}, 1));
+			 ridgemap::writeScene(file, {objects});
 		 });
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <mrpt/opengl/COpenGLScene.h>
-#include <mrpt/opengl/CSetOfLines.h>
 #include <ridgemap/atomic_file.h>
 #include <ridgemap/drawing.h>
 #include <ridgemap/gz_archive.h>
 #include <ridgemap/observation_to_measurements.h>
+#include <ridgemap/scene_file.h>
 #include <ridgemap/simplify.h>
 
 #include <cmath>
@@ -111,22 +110,13 @@ GridImage gridOf(const CRidgeMap2D& map, const CommandLine& c)
 	return grid;
 }
 
-void writeScene(const std::string& path, const std::vector<Layer>& layers)
+void writeSceneFile(const std::string& path, const std::vector<Layer>& layers)
 {
-	mrpt::opengl::COpenGLScene scene;
+	std::vector<mrpt::opengl::CRenderizable::Ptr> objects;
 	for (const Layer& layer : layers)
-	{
-		auto lines = mrpt::opengl::CSetOfLines::Create();
-		lines->setName(layer.name);
-		lines->setColor_u8(mrpt::img::TColor(0x10, 0x20, 0x60));
-		lines->setLineWidth(2);
-		for (const Polyline& line : layer.lines)
-			for (std::size_t i = 1; i < line.points.size(); i++)
-				lines->appendLine(line.points[i - 1].x, line.points[i - 1].y, 0, line.points[i].x, line.points[i].y, 0);
-		scene.insert(lines);
-	}
+		objects.push_back(sceneLines(layer.lines, layer.name.c_str(), {0x10, 0x20, 0x60}, 2));
 	AtomicFile file(path);
-	writeGzArchive(file, [&](mrpt::serialization::CArchive& out) { out << scene; });
+	writeScene(file, objects);
 	file.commit();
 }
 
@@ -167,7 +157,7 @@ const std::map<std::string, Writer>& writers()
 		{".geojson", textWriter(writeGeoJson)},
 		{".csv", textWriter(writeLayersCsv)},
 		{".wkt", textWriter(writeWkt)},
-		{".3dscene", [](const CRidgeMap2D& map, const CommandLine& c) { writeScene(c.output, layersOf(map, c)); }},
+		{".3dscene", [](const CRidgeMap2D& map, const CommandLine& c) { writeSceneFile(c.output, layersOf(map, c)); }},
 		{".png", writePicture},
 		{".gridmap", gridWriter},
 		{".gridmap.gz", gridWriter},

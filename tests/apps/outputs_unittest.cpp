@@ -122,6 +122,20 @@ TEST_F(OutputFiles, scene)
 	ASSERT_TRUE(scene.loadFromFile(dir / "map.3Dscene"));
 	EXPECT_GE(scene.viewportsCount(), 1u);
 	EXPECT_TRUE(scene.getByName("robot path"));
+
+	// SceneViewer3D takes over the camera: from above, x to the right, and all of the map within its 45 degrees.
+	EXPECT_TRUE(scene.followCamera());
+	const auto& camera = scene.getViewport()->getCamera();
+	EXPECT_EQ(camera.getElevationDegrees(), 90);
+	EXPECT_EQ(camera.getAzimuthDegrees(), -90);
+	const auto box = scene.getBoundingBox();
+	const double seen = camera.getZoomDistance() * std::tan(M_PI / 8);
+	ASSERT_GT(box.max.x - box.min.x, 1);
+	EXPECT_GT(camera.getPointingAtY() + seen, box.max.y);
+	EXPECT_LT(camera.getPointingAtY() - seen, box.min.y);
+	EXPECT_GT(camera.getPointingAtX() + 1.25 * seen, box.max.x);
+	EXPECT_LT(camera.getPointingAtX() - 1.25 * seen, box.min.x);
+	EXPECT_LT(seen, box.max.x - box.min.x + box.max.y - box.min.y) << "too far away";
 }
 
 TEST_F(OutputFiles, chosenFormatsOnly)

@@ -60,27 +60,27 @@ window()
 # click <x> <y>: and gives the program time to answer.
 click() { xdotool mousemove "$1" "$2" click 1 sleep 1; }
 
-# wall_pixels <picture>: pixels in the colour of walls.
-wall_pixels()
+# walls_on <picture>: how many pixels have the colour of walls, and how wide the strip is that holds them.
+walls_on()
 {
-	convert "$1" -depth 8 -format '%c' histogram:info: |
-		awk -F'[:(),]' '$3 < 40 && $4 < 55 && $5 > 80 && $5 < 125 { n += $1 } END { print n + 0 }'
+	convert "$1" -fuzz 9% -fill white +opaque '#102060' -fill black -opaque '#102060' -fuzz 0 -trim -colorspace Gray \
+		-format '%[fx:round((1-mean)*w*h)] %w\n' info:
 }
 
-# shows_walls <picture>: waits until the screen shows walls.
+# shows_walls <picture> <pixels>: waits until the screen shows walls over that width at least.
 shows_walls()
 {
-	local n=0
-	for ((i = 0; i < 40; i++)); do
+	local n=0 width=0
+	for ((i = 0; i < 15; i++)); do
 		import -window root "$1"
-		n=$(wall_pixels "$1")
-		if [ "$n" -gt 300 ]; then
-			echo "$(basename "$1"): $n pixels of walls"
+		read -r n width < <(walls_on "$1")
+		if [ "$n" -gt 150 ] && [ "$width" -gt "$2" ]; then
+			echo "$(basename "$1"): $n pixels of walls, over $width columns"
 			return
 		fi
 		sleep 0.5
 	done
-	fail "$(basename "$1"): only $n pixels of walls"
+	fail "$(basename "$1"): only $n pixels of walls, over $width columns"
 }
 
 # A screen of this test's own: Xvfb looks for a free number and writes it to the pipe.
@@ -99,7 +99,7 @@ grep -q "37 .3.878" log || fail "rawlog-edit does not count the scans"
 start SceneViewer3D "$(ls map*.3Dscene)"
 viewer=$(window 'SceneViewer3D - Part')
 xdotool windowmove "$viewer" 0 0 windowsize "$viewer" 1024 768
-shows_walls "$shots/scene-viewer.png"
+shows_walls "$shots/scene-viewer.png" 500
 kill "${started[-1]}"
 
 # RawLogViewer: a tip, the button "Raw-map", and its dialog with the text of an INI file.
@@ -126,5 +126,6 @@ sleep 4
 import -window root "$shots/raw-map-dialog.png"
 click 333 278
 preview=$(window 'Raw-map 3D preview')
-xdotool windowmove "$preview" 0 0 windowsize "$preview" 1024 768 sleep 1
-shows_walls "$shots/raw-map-preview.png"
+xdotool windowmove "$preview" 0 0 windowsize "$preview" 1024 768 sleep 1 mousemove 512 400
+xdotool click --repeat 22 --delay 100 5
+shows_walls "$shots/raw-map-preview.png" 60

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/io/CFileGZInputStream.h>
-#include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt/serialization/CSerializable.h>
@@ -9,6 +8,7 @@
 #include <ridgemap/drawing.h>
 #include <ridgemap/gz_archive.h>
 #include <ridgemap/polyline_csv.h>
+#include <ridgemap/scene_file.h>
 
 #include <stdexcept>
 
@@ -20,10 +20,8 @@ void saveScene(const CRidgeMap2D& map, const std::string& path)
 {
 	auto objects = mrpt::opengl::CSetOfObjects::Create();
 	map.getVisualizationInto(*objects);
-	mrpt::opengl::COpenGLScene scene;
-	scene.insert(objects);
 	AtomicFile file(path);
-	writeGzArchive(file, [&](mrpt::serialization::CArchive& out) { out << scene; });
+	writeScene(file, {objects});
 	file.commit();
 }
 

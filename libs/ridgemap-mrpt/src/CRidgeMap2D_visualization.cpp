@@ -1,29 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <mrpt/opengl/CPointCloud.h>
-#include <mrpt/opengl/CSetOfLines.h>
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <ridgemap/CRidgeMap2D.h>
+#include <ridgemap/scene_file.h>
 
 namespace ridgemap
 {
 namespace
 {
-void drawPolylines(const std::vector<Polyline>& polylines, const char* name, const mrpt::img::TColor& color,
-				   double lineWidth, mrpt::opengl::CSetOfObjects& scene)
-{
-	auto lines = mrpt::opengl::CSetOfLines::Create();
-	for (const auto& polyline : polylines)
-		for (std::size_t i = 1; i < polyline.points.size(); i++)
-		{
-			const Point2 &a = polyline.points[i - 1], &b = polyline.points[i];
-			lines->appendLine(a.x, a.y, 0, b.x, b.y, 0);
-		}
-	lines->setName(name);
-	lines->setColor_u8(color);
-	lines->setLineWidth(float(lineWidth));
-	scene.insert(lines);
-}
-
 void drawPoints(const std::vector<Point2>& points, const char* name, const mrpt::img::TColor& color, double pointSize,
 				mrpt::opengl::CSetOfObjects& scene)
 {
@@ -41,8 +25,8 @@ void CRidgeMap2D::getVisualizationInto(mrpt::opengl::CSetOfObjects& outObj) cons
 	if (!genericMapParams.enableSaveAs3DObject) return;
 	const TRenderOptions& o = renderOptions;
 	if (o.showMeasurements) drawPoints(core().cellCentroids(), "measurements", o.measurementColor, o.pointSize, outObj);
-	if (o.showRidges) drawPolylines(ridges(), "ridges", o.ridgeColor, o.lineWidth, outObj);
-	if (o.showWalls) drawPolylines(walls(), "walls", o.wallColor, o.lineWidth, outObj);
+	if (o.showRidges) outObj.insert(sceneLines(ridges(), "ridges", o.ridgeColor, o.lineWidth));
+	if (o.showWalls) outObj.insert(sceneLines(walls(), "walls", o.wallColor, o.lineWidth));
 }
 
 }  // namespace ridgemap
