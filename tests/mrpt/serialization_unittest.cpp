@@ -86,6 +86,40 @@ TEST(Serialization, EqualMapsGiveEqualBytes)
 	EXPECT_TRUE(samePolylines(a.ridges(), b.ridges()));
 }
 
+TEST(Serialization, WhatWasWrittenBeforeIsNotWrittenAgain)
+{
+	const auto all = room(1.5, 1);
+	const std::vector<Measurement> some(all.begin(), all.begin() + 100);
+	CRidgeMap2D map;
+	const auto fresh = [&](const std::vector<Measurement>& measurements)
+	{
+		CRidgeMap2D other(map.mapOptions());
+		other.genericMapParams = map.genericMapParams;
+		if (!measurements.empty()) other.insertMeasurements(measurements);
+		return bytesOf(other);
+	};
+	EXPECT_TRUE(bytesOf(map) == fresh({}));
+	map.insertMeasurements(all);
+	EXPECT_TRUE(bytesOf(map) == fresh(all));
+	EXPECT_TRUE(bytesOf(map) == fresh(all));
+	map.likelihoodOptions.decimation = 7;
+	EXPECT_TRUE(bytesOf(map) == fresh(all));
+	map.genericMapParams.enableObservationInsertion = false;
+	EXPECT_TRUE(bytesOf(map) == fresh(all));
+	const CRidgeMap2D copy = map;
+	map.eraseMeasurements(some);
+	EXPECT_TRUE(bytesOf(map) == fresh({all.begin() + 100, all.end()}));
+	EXPECT_TRUE(bytesOf(copy) == fresh(all));
+	map.insertMeasurements(some);
+	EXPECT_TRUE(bytesOf(map) == fresh(all));
+	map.insertFreeRays({{0.1, 0.2, 9, 0.3}});
+	EXPECT_FALSE(bytesOf(map) == fresh(all));
+	map.clear();
+	EXPECT_TRUE(bytesOf(map) == fresh({}));
+	map.freeze();
+	EXPECT_FALSE(bytesOf(map) == fresh({}));
+}
+
 TEST(Serialization, EmptyMap)
 {
 	CRidgeMap2D map = sampleMap();

@@ -163,6 +163,11 @@ std::uint64_t contentKey(std::uint32_t crc, const std::vector<std::uint8_t>& byt
 	return std::uint64_t(crc) << 32 ^ bytes.size();
 }
 
+bool beginsWith(const std::vector<std::uint8_t>& bytes, const std::vector<std::uint8_t>& head)
+{
+	return bytes.size() >= head.size() && std::equal(head.begin(), head.end(), bytes.begin());
+}
+
 void expectEnd(const ByteReader& in)
 {
 	if (in.left() != 0) throw std::runtime_error("stored ridge map: there are data behind the end of the map");
@@ -174,13 +179,21 @@ bool hasMore(const MapState& state)
 	return state.core.passedAnywhere() || !state.window.empty();
 }
 
-std::shared_ptr<MapState> readState(ByteReader& in, std::uint64_t key, const Options& options, bool withFreeSpace)
+void writeContents(ByteWriter& out, const MapState& state)
+{
+	if (state.frozen) return writeFrozen(out, *state.frozen);
+	writeCells(out, state.core.cells());
+	if (!hasMore(state)) return;
+	writeFreeCells(out, state.core.freeCells());
+	state.window.write(out);
+}
+
+std::shared_ptr<MapState> readState(ByteReader& in, const Options& options, bool withFreeSpace)
 {
 	const auto cells = readCells(in);
 	const auto freeCells = withFreeSpace ? readFreeCells(in) : std::vector<FreeCellRecord>();
 	ScanWindow window = withFreeSpace ? ScanWindow::read(in) : ScanWindow();
 	expectEnd(in);
-	if (auto living = findState(key, options, cells, freeCells, window)) return living;
 	auto state = std::make_shared<MapState>(options);
 	state->core.insertCells(cells);
 	state->core.insertFreeCells(freeCells);
@@ -188,11 +201,10 @@ std::shared_ptr<MapState> readState(ByteReader& in, std::uint64_t key, const Opt
 	return state;
 }
 
-std::shared_ptr<MapState> readFrozenState(ByteReader& in, std::uint64_t key, const Options& options)
+std::shared_ptr<MapState> readFrozenState(ByteReader& in, const Options& options)
 {
 	auto lines = readFrozen(in);
 	expectEnd(in);
-	if (auto living = findFrozenState(key, options, lines)) return living;
 	auto state = std::make_shared<MapState>(options);
 	state->frozen = std::make_shared<const std::vector<Polyline>>(std::move(lines));
 	return state;
@@ -211,23 +223,20 @@ void CRidgeMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 	content.byte(genericMapParams.enableObservationLikelihood);
 	content.byte(genericMapParams.enableObservationInsertion);
 	writeOptions(content, mapOptions());
-	if (isFrozen())
-		writeFrozen(content, *state_->frozen);
-	else
+	// Filters write the map of a good particle several times in a row. What begins alike goes on alike, for the state
+	// has not changed.
+	auto stored = storedAs(state_);
+	if (!stored || !beginsWith(stored->bytes, content.bytes()))
 	{
-		writeCells(content, core().cells());
-		if (hasMore(*state_))
-		{
-			writeFreeCells(content, core().freeCells());
-			state_->window.write(content);
-		}
+		writeContents(content, *state_);
+		stored = std::make_shared<const StoredMap>(StoredMap{serializeGetVersion(), content.bytes()});
 	}
-	const auto& bytes = content.bytes();
+	const auto& bytes = stored->bytes;
 	writeFixed<8>(out, bytes.size());
 	out.WriteBuffer(bytes.data(), bytes.size());
 	const std::uint32_t crc = crc32(bytes.data(), bytes.size());
 	writeFixed<4>(out, crc);
-	rememberState(contentKey(crc, bytes), state_);
+	rememberState(contentKey(crc, bytes), state_, stored);
 }
 
 void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
@@ -235,7 +244,8 @@ void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t versi
 	if (version > freeSpaceVersion)
 		throw std::runtime_error("stored ridge map: version " + std::to_string(version) +
 								 " is newer than this library, which reads versions 0 to 2");
-	const std::vector<std::uint8_t> bytes = readBytes(in, readFixed<8>(in));
+	const StoredMap stored{version, readBytes(in, readFixed<8>(in))};
+	const auto& bytes = stored.bytes;
 	const std::uint32_t crc = crc32(bytes.data(), bytes.size());
 	if (readFixed<4>(in) != crc)
 		throw std::runtime_error("stored ridge map: the checksum does not fit, the data are damaged");
@@ -245,9 +255,11 @@ void CRidgeMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t versi
 	loaded.genericMapParams.enableSaveAs3DObject = as3D;
 	loaded.genericMapParams.enableObservationLikelihood = likelihood;
 	loaded.genericMapParams.enableObservationInsertion = insertion;
-	loaded.state_ = version == frozenVersion
-						? readFrozenState(content, contentKey(crc, bytes), loaded.options())
-						: readState(content, contentKey(crc, bytes), loaded.options(), version == freeSpaceVersion);
+	if (auto living = findState(contentKey(crc, bytes), stored))
+		loaded.state_ = std::move(living);
+	else
+		loaded.state_ = version == frozenVersion ? readFrozenState(content, loaded.options())
+												 : readState(content, loaded.options(), version == freeSpaceVersion);
 	swap(loaded);
 }
 

@@ -156,7 +156,7 @@ std::shared_ptr<LikelihoodTable> tableFor(const CRidgeMap2D& map, const BeamMode
 											 o.maxDistance, double(o.target), pitch,  double(o.useOccupancy)};
 	const auto build = [&]
 	{
-		Box2 box = map.box();
+		Box2 box = o.useOccupancy ? map.box() : Box2();
 		for (const auto& line : o.target == LikelihoodTarget::walls ? map.walls() : map.ridges())
 			for (const Point2& p : line.points) box.extend(p);
 		const double margin = o.useOccupancy ? map.options().cutoff * map.options().sigma : o.maxDistance;

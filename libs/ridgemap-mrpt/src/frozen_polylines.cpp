@@ -99,11 +99,4 @@ std::vector<Polyline> readFrozen(ByteReader& in)
 	return lines;
 }
 
-bool samePolylines(const std::vector<Polyline>& a, const std::vector<Polyline>& b)
-{
-	return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-					  [](const Polyline& p, const Polyline& q)
-					  { return p.closed == q.closed && p.points == q.points; });
-}
-
 }  // namespace ridgemap

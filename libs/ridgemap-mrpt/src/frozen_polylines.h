@@ -20,6 +20,4 @@ void writeFrozen(ByteWriter& out, const std::vector<Polyline>& lines);
 /** Reads it; throws std::runtime_error for data that writeFrozen() cannot have written. */
 std::vector<Polyline> readFrozen(ByteReader& in);
 
-bool samePolylines(const std::vector<Polyline>& a, const std::vector<Polyline>& b);
-
 }  // namespace ridgemap

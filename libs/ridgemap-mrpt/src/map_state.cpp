@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "map_state.h"
 
-#include <algorithm>
 #include <atomic>
 #include <map>
 #include <mutex>
-
-#include "frozen_polylines.h"
+#include <utility>
 
 namespace ridgemap
 {
@@ -32,12 +30,6 @@ void forget(Registry& all, const MapState* state)
 		it = !alive || alive.get() == state ? all.states.erase(it) : std::next(it);
 	}
 }
-
-bool sameCell(const CellRecord& a, const CellRecord& b)
-{
-	return a.cx == b.cx && a.cy == b.cy && a.bin == b.bin && a.n == b.n && a.sx == b.sx && a.sy == b.sy &&
-		   a.sxx == b.sxx && a.sxy == b.sxy && a.syy == b.syy;
-}
 }  // namespace
 
 MapState& own(std::shared_ptr<MapState>& state)
@@ -47,6 +39,7 @@ MapState& own(std::shared_ptr<MapState>& state)
 		// Once it is forgotten here, nobody can find the state any more: a count of one stays one.
 		const std::lock_guard<std::mutex> lock(registry().mutex);
 		forget(registry(), state.get());
+		if (state.use_count() == 1) state->stored.reset();
 		shared = state.use_count() > 1;
 	}
 	// Pairs with the release of the last other holder, whose queries may have built polylines.
@@ -55,38 +48,26 @@ MapState& own(std::shared_ptr<MapState>& state)
 	return *state;
 }
 
-void rememberState(std::uint64_t key, const std::shared_ptr<MapState>& state)
+void rememberState(std::uint64_t key, const std::shared_ptr<MapState>& state, std::shared_ptr<const StoredMap> stored)
 {
 	const std::lock_guard<std::mutex> lock(registry().mutex);
 	forget(registry(), state.get());
 	registry().states[key] = state;
+	state->stored = std::move(stored);
 }
 
-namespace
+std::shared_ptr<const StoredMap> storedAs(const std::shared_ptr<MapState>& state)
 {
-std::shared_ptr<MapState> findByKey(std::uint64_t key, const Options& options)
+	const std::lock_guard<std::mutex> lock(registry().mutex);
+	return state->stored;
+}
+
+std::shared_ptr<MapState> findState(std::uint64_t key, const StoredMap& stored)
 {
 	const std::lock_guard<std::mutex> lock(registry().mutex);
 	const auto it = registry().states.find(key);
 	auto found = it != registry().states.end() ? it->second.lock() : nullptr;
-	return found && found->core.options() == options ? found : nullptr;
-}
-}  // namespace
-
-std::shared_ptr<MapState> findFrozenState(std::uint64_t key, const Options& options, const std::vector<Polyline>& lines)
-{
-	auto found = findByKey(key, options);
-	return found && found->frozen && samePolylines(*found->frozen, lines) ? found : nullptr;
-}
-
-std::shared_ptr<MapState> findState(std::uint64_t key, const Options& options, const std::vector<CellRecord>& cells,
-									const std::vector<FreeCellRecord>& freeCells, const ScanWindow& window)
-{
-	auto found = findByKey(key, options);
-	if (!found || found->frozen) return nullptr;
-	const auto held = found->core.cells();
-	if (held.size() != cells.size() || !std::equal(held.begin(), held.end(), cells.begin(), sameCell)) return nullptr;
-	return found->core.freeCells() == freeCells && found->window == window ? found : nullptr;
+	return found && found->stored && *found->stored == stored ? found : nullptr;
 }
 
 }  // namespace ridgemap
