@@ -23,7 +23,7 @@ namespace ridgemap
 #ifdef RIDGEMAP_HAVE_AVX2_UNIT
 void copyNodesAvx2(const std::int64_t* nodes, float* to, int stride);
 void makeProfileAvx2(const KernelShape& shape, const KernelReach& reach, KernelProfile& profile);
-void addChangesAvx2(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+void addChangesAvx2(const NodeChanges& to, Magnitude magnitude, const KernelReach& reach, const KernelProfile* after,
 					const KernelProfile* before);
 bool areChangedAvx2(const NodeChanges& changes, bool wide);
 bool applyChangesAvx2(const NodeChanges& changes, bool wide, std::int64_t* nodes);
@@ -38,6 +38,25 @@ namespace
 using Nodes = std::vector<std::int64_t>;
 constexpr std::size_t nodeCount = std::size_t(nodesPerBlock * nodesPerBlock);
 
+CellSums sumOf(const CellSums& a, const CellSums& b)
+{
+	return {a.n + b.n, a.sx + b.sx, a.sy + b.sy, a.sxx + b.sxx, a.sxy + b.sxy, a.syy + b.syy};
+}
+
+/** The sums of so many measurements in the same places. */
+CellSums times(std::int64_t k, const CellSums& s)
+{
+	return {std::uint32_t(k * s.n), k * s.sx, k * s.sy, k * s.sxx, k * s.sxy, k * s.syy};
+}
+
+CellSums randomMeasurement(Random& random, const CellGrid& grid, CellKey key)
+{
+	const auto place = [&](std::int64_t index)
+	{ return index * grid.edge() + std::int64_t(random.below(std::size_t(grid.edge()))); };
+	const std::int64_t u = place(cellColumn(key));
+	return grid.single({u, place(cellRow(key))});
+}
+
 /** A cell somewhere in its block with some measurements. */
 Cell randomCell(Random& random, const CellGrid& grid)
 {
@@ -47,13 +66,7 @@ Cell randomCell(Random& random, const CellGrid& grid)
 			   row = std::int64_t(random.below(std::size_t(side)));
 	cell.key = makeCellKey(0, column, row);
 	for (std::size_t n = 1 + random.below(5); n > 0; n--)
-	{
-		const auto place = [&](std::int64_t index)
-		{ return index * grid.edge() + std::int64_t(random.below(std::size_t(grid.edge()))); };
-		const CellSums s = grid.single({place(column), place(row)});
-		cell.sums = {cell.sums.n + 1,       cell.sums.sx + s.sx,   cell.sums.sy + s.sy,
-					 cell.sums.sxx + s.sxx, cell.sums.sxy + s.sxy, cell.sums.syy + s.syy};
-	}
+		cell.sums = sumOf(cell.sums, randomMeasurement(random, grid, cell.key));
 	return cell;
 }
 
@@ -134,7 +147,7 @@ TEST(FieldNodes, TakeAwayExactlyWhatTheyAddedHoweverMuchThatIs)
 		{
 			if (random.below(3) == 0) continue;
 			const std::int64_t k = std::int64_t(1) << random.below(29);
-			const CellSums next{std::uint32_t(k * s.n), k * s.sx, k * s.sy, k * s.sxx, k * s.sxy, k * s.syy};
+			const CellSums next = times(k, s);
 			spreader.spread(key, now[key], next, scratch, nodesOf);
 			now[key] = next;
 		}
@@ -169,11 +182,6 @@ TEST(FieldNodes, ASmallChangeOfALargeCountIsExact)
 	for (int i = 0; i < 20; i++)
 	{
 		const Cell c = randomCell(random, grid);
-		const auto times = [&](std::int64_t k)
-		{
-			const CellSums& s = c.sums;
-			return CellSums{std::uint32_t(k * s.n), k * s.sx, k * s.sy, k * s.sxx, k * s.sxy, k * s.syy};
-		};
 		const auto nodesOf = [&](int bx, int by) -> Nodes& {
 			return blocks[{bx, by}];
 		};
@@ -183,14 +191,55 @@ TEST(FieldNodes, ASmallChangeOfALargeCountIsExact)
 		const std::int64_t many = (1 << 20) + i;
 		for (const auto& [before, after] : {std::pair<std::int64_t, std::int64_t>{0, many}, {many, many - 1}})
 		{
-			spreader.spread(c.key, before ? times(before) : CellSums{}, times(after), scratch, nodesOf);
+			spreader.spread(c.key, before ? times(before, c.sums) : CellSums{}, times(after, c.sums), scratch, nodesOf);
 			spreader.finish(scratch, nodesOf);
 		}
-		spreader.spread(c.key, {}, times(many - 1), scratch, directNodes);
+		spreader.spread(c.key, {}, times(many - 1, c.sums), scratch, directNodes);
 		spreader.finish(scratch, directNodes);
 	}
 	EXPECT_FALSE(direct.empty());
 	EXPECT_EQ(blocks, direct);
+}
+
+TEST(FieldNodes, ManySmallChangesOfLargeCountsAddUpExactly)
+{
+	const CellGrid grid{Options()};
+	const KernelSpreader spreader(grid, 5);
+	Random random(5);
+	for (const std::int64_t many : {100, 400, 10000, 100000000})
+	{
+		std::map<std::pair<int, int>, Nodes> blocks, direct;
+		SpreadScratch scratch;
+		const auto nodesOf = [&](int bx, int by) -> Nodes& {
+			return blocks[{bx, by}];
+		};
+		const auto directNodes = [&](int bx, int by) -> Nodes& {
+			return direct[{bx, by}];
+		};
+		std::map<CellKey, CellSums> cells;
+		for (int i = 0; i < 20; i++)
+		{
+			const Cell c = randomCell(random, grid);
+			cells[c.key] = times(many, c.sums);
+		}
+		for (const auto& [key, sums] : cells) spreader.spread(key, {}, sums, scratch, nodesOf);
+		spreader.finish(scratch, nodesOf);
+		for (int i = 0; i < 2000; i++)
+		{
+			auto& [key, sums] = *std::next(cells.begin(), std::ptrdiff_t(random.below(cells.size())));
+			const CellSums next = sumOf(sums, randomMeasurement(random, grid, key));
+			spreader.spread(key, sums, next, scratch, nodesOf);
+			sums = next;
+		}
+		spreader.finish(scratch, nodesOf);
+		for (const auto& [key, sums] : cells)
+		{
+			spreader.spread(key, {}, sums, scratch, directNodes);
+			spreader.finish(scratch, directNodes);
+		}
+		EXPECT_FALSE(direct.empty());
+		EXPECT_EQ(blocks, direct) << "cells of " << many;
+	}
 }
 
 TEST(FieldNodes, InterpolationAgreesWithTheSumOfAllCells)
@@ -281,8 +330,15 @@ TEST(FieldNodes, EveryVariantGivesTheSameBits)
 							   float(random.uniform(1, 1.1)),    float(random.uniform(1, 1.1)),
 							   float(random.uniform(-0.1, 0.1)), float(random.uniform(0, largest))};
 		};
-		const bool wide = trial % 2 == 0;
-		const KernelShape was = shape(wide ? 1e15 : 1e8), is = shape(wide ? 1e15 : 1e8);
+		const auto magnitude = Magnitude(trial % 3);
+		const bool wide = magnitude == Magnitude::large;
+		const KernelShape was = shape(magnitude == Magnitude::small ? 1e8 : 1e15);
+		KernelShape is = shape(wide ? 1e15 : 1e8);
+		if (magnitude == Magnitude::smallDifference)
+		{
+			is = was;
+			is.weight += float(random.uniform(-1e8, 1e8));
+		}
 		makeProfileImpl(was, reach, before[0]);
 		makeProfileAvx2(was, reach, before[1]);
 		makeProfileImpl(is, reach, after[0]);
@@ -298,10 +354,11 @@ TEST(FieldNodes, EveryVariantGivesTheSameBits)
 			high[v].assign(size, 0);
 			to[v] = {low[v].data(), high[v].data(), KernelProfile::capacity};
 		}
-		const bool plus = trial % 3 != 0, minus = trial % 5 != 0;
-		addChangesImpl(to[0], wide, reach, plus ? &after[0] : nullptr, minus ? &before[0] : nullptr);
-		addChangesAvx2(to[1], wide, reach, plus ? &after[1] : nullptr, minus ? &before[1] : nullptr);
-		addChangesAvx2(to[2], true, reach, plus ? &after[1] : nullptr, minus ? &before[1] : nullptr);
+		const bool both = magnitude == Magnitude::smallDifference, plus = both || trial % 4 != 0,
+				   minus = both || trial % 5 != 0;
+		addChangesImpl(to[0], magnitude, reach, plus ? &after[0] : nullptr, minus ? &before[0] : nullptr);
+		addChangesAvx2(to[1], magnitude, reach, plus ? &after[1] : nullptr, minus ? &before[1] : nullptr);
+		addChangesAvx2(to[2], Magnitude::large, reach, plus ? &after[1] : nullptr, minus ? &before[1] : nullptr);
 		ASSERT_EQ(low[0], low[1]);
 		ASSERT_EQ(high[0], high[1]);
 		for (std::size_t i = 0; i < size; i++)
@@ -326,9 +383,9 @@ TEST(FieldNodes, EveryVariantGivesTheSameBits)
 		const float tx = float(random.uniform()), ty = float(random.uniform());
 		KernelSums sums[3];
 		const NodeSquare portable[] = {{patch.data(), &sums[0]}},
-						 both[] = {{patch.data() + 3, &sums[1]}, {patch.data(), &sums[2]}};
+						 two[] = {{patch.data() + 3, &sums[1]}, {patch.data(), &sums[2]}};
 		interpolateNodesImpl(portable, 1, stride, tx, ty);
-		interpolateNodesAvx2(both, 2, stride, tx, ty);
+		interpolateNodesAvx2(two, 2, stride, tx, ty);
 		ASSERT_EQ(std::memcmp(&sums[0], &sums[2], sizeof sums[0]), 0);
 		ASSERT_NE(std::memcmp(&sums[1], &sums[2], sizeof sums[0]), 0);
 	}

@@ -10,10 +10,22 @@ namespace
 {
 /** Bound on what a number of 32 bits may take up, in kernel peaks; what is left covers tilted kernels. */
 constexpr std::uint64_t largestLoad = 1000;
-/** Counts up to this, before and after together, need no high parts. */
-constexpr std::uint64_t largestNarrow = 400;
-constexpr std::uint64_t wideLoad = 4;  ///< of the low parts of two kernels
+/** Largest count of a cell whose values fit into 32 bits. */
+constexpr double largestSmall = 1900;
+constexpr std::uint64_t largeLoad = 4;  ///< of the low parts of two kernels
 constexpr std::uint64_t largestHighLoad = std::uint64_t(1) << 31;
+
+/** Bound on the difference of two kernels at any place [kernel peaks]. */
+double largestDifference(const CellMoments& a, const CellMoments& b)
+{
+	const double most = std::max(a.n, b.n), all = a.n + b.n;
+	if (a.n == 0 || b.n == 0) return all;
+	// A normal density of variance 1 or more changes by less than 1 for each unit that a moment changes.
+	const double moved = std::abs(a.mean.x - b.mean.x) + std::abs(a.mean.y - b.mean.y) + std::abs(a.xx - b.xx) +
+						 std::abs(a.xy - b.xy) + std::abs(a.yy - b.yy);
+	constexpr double rounding = 1.0 / (1 << 18);  // of places and values in single precision
+	return std::min(all, std::abs(a.n - b.n) + most * (moved + rounding));
+}
 
 int roundDownToEight(double x)
 {
@@ -72,29 +84,40 @@ KernelReach KernelSpreader::reachOf(Vec2 c) const
 	return r;
 }
 
-bool KernelSpreader::hasRoom(const CellSums& before, const CellSums& after, const SpreadScratch& s) const
+KernelSpreader::Change::Change(CellKey cell, const CellSums& sumsBefore, const CellSums& sumsAfter,
+							   const CellGrid& grid)
+	: key(cell), load(largeLoad), highLoad(0)
 {
-	const std::uint64_t n = std::uint64_t(before.n) + after.n;
-	if (n <= largestNarrow) return s.load + n <= largestLoad;
-	return s.load + wideLoad <= largestLoad && s.highLoad + std::max(before.n, after.n) <= largestHighLoad;
+	if (sumsBefore.n > 0) before = momentsOf({key, sumsBefore}, grid);
+	if (sumsAfter.n > 0) after = momentsOf({key, sumsAfter}, grid);
+	const double most = std::max(before.n, after.n), difference = largestDifference(before, after) + 1;
+	magnitude = difference > double(largestLoad) ? Magnitude::large
+				: most > largestSmall            ? Magnitude::smallDifference
+												 : Magnitude::small;
+	if (magnitude == Magnitude::large)
+		highLoad = std::uint64_t(most);
+	else
+		load = std::uint64_t(std::ceil(difference));
 }
 
-void KernelSpreader::add(CellKey key, const CellSums& before, const CellSums& after, SpreadScratch& s) const
+bool KernelSpreader::Change::fits(const SpreadScratch& s) const
 {
-	const std::uint64_t n = std::uint64_t(before.n) + after.n;
-	const bool wide = n > largestNarrow;
-	s.load += wide ? wideLoad : n;
-	s.highLoad += wide ? std::max(before.n, after.n) : 0;
-	s.wide = s.wide || wide;
+	return s.load + load <= largestLoad && s.highLoad + highLoad <= largestHighLoad;
+}
+
+void KernelSpreader::add(const Change& c, SpreadScratch& s) const
+{
+	s.load += c.load;
+	s.highLoad += c.highLoad;
+	s.wide = s.wide || c.magnitude == Magnitude::large;
 	const auto side = std::size_t((2 * reach_ + 1) * nodesPerBlock);
 	s.low.resize(side * side, 0);
-	if (wide) s.high.resize(side * side, 0);
+	if (s.wide) s.high.resize(side * side, 0);
 
-	const Window w = windowOf(key);
-	const auto profile = [&](const CellSums& sums, KernelProfile& p) -> const KernelProfile*
+	const Window w = windowOf(c.key);
+	const auto profile = [&](const CellMoments& m, KernelProfile& p) -> const KernelProfile*
 	{
-		if (sums.n == 0) return nullptr;
-		const CellMoments m = momentsOf({key, sums}, grid_);
+		if (m.n == 0) return nullptr;
 		const double half = 0.5 * double(Frame::blockEdge), h = 1.0 / nodesPerSigma;
 		const double vx = 1 + m.xx, vy = 1 + m.yy;
 		makeProfile({float(h * w.x0 - half - m.mean.x), float(h * w.y0 - half - m.mean.y), float(vx), float(vy),
@@ -102,8 +125,9 @@ void KernelSpreader::add(CellKey key, const CellSums& before, const CellSums& af
 					*w.reach, p);
 		return &p;
 	};
-	addChanges(changesAt(s, w.x0, w.y0), wide, *w.reach, profile(after, s.after), profile(before, s.before));
-	const Box b = blocksInReach(key);
+	addChanges(changesAt(s, w.x0, w.y0), c.magnitude, *w.reach, profile(c.after, s.after),
+			   profile(c.before, s.before));
+	const Box b = blocksInReach(c.key);
 	const bool fresh = s.x0 == s.x1;
 	s.x0 = fresh ? b.x0 : std::min(s.x0, b.x0);
 	s.x1 = fresh ? b.x1 : std::max(s.x1, b.x1);

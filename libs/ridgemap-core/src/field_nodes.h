@@ -50,10 +50,17 @@ struct NodeChanges
 /** The values of a kernel in the columns and rows of a window. */
 void makeProfile(const KernelShape& shape, const KernelReach& reach, KernelProfile& profile);
 
+/** How large what is added up may become. All give the same integers. */
+enum class Magnitude
+{
+	small,           ///< values and the sums of their changes stay below 2^31
+	smallDifference, ///< values up to 2^51, sums of their changes below 2^31
+	large            ///< values up to 2^51 and their sums: high parts are used
+};
+
 /** Adds the values of `after` and takes away those of `before`, either of which may be nullptr, each rounded to an
- * integer. `to` points to the first node of the window. With `wide`, high parts are used, too, and values up to 2^51
- * are right; without, their sum must stay below 2^31. Both give the same integers. */
-void addChanges(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+ * integer. `to` points to the first node of the window. */
+void addChanges(const NodeChanges& to, Magnitude magnitude, const KernelReach& reach, const KernelProfile* after,
 				const KernelProfile* before);
 
 /** The changes of the nodes of a block are not all zero. */
@@ -117,8 +124,9 @@ class KernelSpreader
 	void spread(CellKey key, const CellSums& before, const CellSums& after, SpreadScratch& scratch,
 				NodesOf nodesOf) const
 	{
-		if (!hasRoom(before, after, scratch)) finish(scratch, nodesOf);
-		add(key, before, after, scratch);
+		const Change change(key, before, after, grid_);
+		if (!change.fits(scratch)) finish(scratch, nodesOf);
+		add(change, scratch);
 	}
 
 	template <class NodesOf>
@@ -139,8 +147,19 @@ class KernelSpreader
 	}
 
  private:
-	bool hasRoom(const CellSums& before, const CellSums& after, const SpreadScratch& scratch) const;
-	void add(CellKey key, const CellSums& before, const CellSums& after, SpreadScratch& scratch) const;
+	/** A cell that changes, and bounds on what that adds to any node. */
+	struct Change
+	{
+		Change(CellKey key, const CellSums& sumsBefore, const CellSums& sumsAfter, const CellGrid& grid);
+		/** Nothing overflows when this is added to what is there. */
+		bool fits(const SpreadScratch& scratch) const;
+
+		CellKey key;
+		CellMoments before, after;
+		Magnitude magnitude;
+		std::uint64_t load, highLoad;  ///< of low and of high parts [kernel peaks]
+	};
+	void add(const Change& change, SpreadScratch& scratch) const;
 	/** Where the window of a cell begins, counted from the corner of its block, and its rows. */
 	struct Window
 	{

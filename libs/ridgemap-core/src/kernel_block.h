@@ -140,6 +140,7 @@ struct Block
 {
 	std::vector<Cell> cells;        ///< sorted by key
 	std::vector<Cell> before;       ///< cells changed since the nodes were brought up to date, as they were then
+	bool isChanged = false;         ///< cells changed since what is made from them was
 	std::vector<CellPoint> points;  ///< one for every cell
 	double weight = 0;              ///< sum of the counts
 	std::vector<NodeLayer> layers;  ///< L at the nodes of the block by direction bin, those that are not all zero

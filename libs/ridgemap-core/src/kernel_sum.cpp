@@ -8,7 +8,7 @@ namespace ridgemap
 #ifdef RIDGEMAP_HAVE_AVX2_UNIT
 KernelSums sumKernelsAvx2(const BlockView* views, std::size_t count);
 void makeProfileAvx2(const KernelShape& shape, const KernelReach& reach, KernelProfile& profile);
-void addChangesAvx2(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+void addChangesAvx2(const NodeChanges& to, Magnitude magnitude, const KernelReach& reach, const KernelProfile* after,
 					const KernelProfile* before);
 bool areChangedAvx2(const NodeChanges& changes, bool wide);
 bool applyChangesAvx2(const NodeChanges& changes, bool wide, std::int64_t* nodes);
@@ -30,10 +30,10 @@ void makeProfile(const KernelShape& shape, const KernelReach& reach, KernelProfi
 	return (hasAvx2 ? makeProfileAvx2 : makeProfileImpl)(shape, reach, profile);
 }
 
-void addChanges(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+void addChanges(const NodeChanges& to, Magnitude magnitude, const KernelReach& reach, const KernelProfile* after,
 				const KernelProfile* before)
 {
-	return (hasAvx2 ? addChangesAvx2 : addChangesImpl)(to, wide, reach, after, before);
+	return (hasAvx2 ? addChangesAvx2 : addChangesImpl)(to, magnitude, reach, after, before);
 }
 
 bool areChanged(const NodeChanges& changes, bool wide)
@@ -66,10 +66,10 @@ void makeProfile(const KernelShape& shape, const KernelReach& reach, KernelProfi
 	return makeProfileImpl(shape, reach, profile);
 }
 
-void addChanges(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+void addChanges(const NodeChanges& to, Magnitude magnitude, const KernelReach& reach, const KernelProfile* after,
 				const KernelProfile* before)
 {
-	return addChangesImpl(to, wide, reach, after, before);
+	return addChangesImpl(to, magnitude, reach, after, before);
 }
 
 bool areChanged(const NodeChanges& changes, bool wide)

@@ -14,10 +14,10 @@ void makeProfileAvx2(const KernelShape& shape, const KernelReach& reach, KernelP
 	return makeProfileImpl(shape, reach, profile);
 }
 
-void addChangesAvx2(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
+void addChangesAvx2(const NodeChanges& to, Magnitude magnitude, const KernelReach& reach, const KernelProfile* after,
 					const KernelProfile* before)
 {
-	return addChangesImpl(to, wide, reach, after, before);
+	return addChangesImpl(to, magnitude, reach, after, before);
 }
 
 bool areChangedAvx2(const NodeChanges& changes, bool wide)

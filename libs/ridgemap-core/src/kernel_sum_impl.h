@@ -18,6 +18,7 @@ namespace
 typedef float Float8 __attribute__((vector_size(32)));
 typedef float UnalignedFloat8 __attribute__((vector_size(32), aligned(4), may_alias));
 typedef std::int32_t Int8 __attribute__((vector_size(32)));
+typedef std::uint32_t Word8 __attribute__((vector_size(32)));
 typedef Int8 UnalignedInt8 __attribute__((aligned(4), may_alias));
 typedef double Double4 __attribute__((vector_size(32)));
 typedef float Float4 __attribute__((vector_size(16)));
@@ -120,13 +121,13 @@ inline void makeProfileImpl(const KernelShape& s, const KernelReach& reach, Kern
 }
 
 /** Values of a profile in eight columns of a row, rounded to the nearest integer: low + 2^highShift high. */
-template <bool wide>
+template <Magnitude magnitude>
 inline void integersAt(const KernelProfile& p, int i, const Float8& y, const Float8& dy, Int8& low, Int8& high)
 {
 	const Float8& x = *reinterpret_cast<const Float8*>(p.x + i);
 	const Float8& dx = *reinterpret_cast<const Float8*>(p.dx + i);
 	Float8 value = (x * y + dx * dy) + 0.5f;
-	if (wide)
+	if (magnitude != Magnitude::small)
 	{
 		constexpr float unit = 1 << NodeChanges::highShift;
 		high = __builtin_convertvector(value * (1 / unit), Int8);
@@ -135,10 +136,11 @@ inline void integersAt(const KernelProfile& p, int i, const Float8& y, const Flo
 	low = __builtin_convertvector(value, Int8);
 }
 
-template <bool plus, bool minus, bool wide>
+template <bool plus, bool minus, Magnitude magnitude>
 inline void addRows(const NodeChanges& to, const KernelReach& reach, const KernelProfile* after,
 					const KernelProfile* before)
 {
+	constexpr bool wide = magnitude == Magnitude::large;
 	std::int32_t *lowRow = to.low, *highRow = to.high;
 	for (int j = 0, stride = to.stride, rows = reach.rows; j < rows; j++, lowRow += stride)
 	{
@@ -148,13 +150,16 @@ inline void addRows(const NodeChanges& to, const KernelReach& reach, const Kerne
 		for (int i = reach.first[j], end = reach.last[j]; i < end; i += 8)
 		{
 			Int8 low{}, high{}, l, h;
-			if (plus) integersAt<wide>(*after, i, y, dy, low, high);
+			if (plus) integersAt<magnitude>(*after, i, y, dy, low, high);
 			if (minus)
 			{
-				integersAt<wide>(*before, i, oldY, oldDy, l, h);
+				integersAt<magnitude>(*before, i, oldY, oldDy, l, h);
 				low -= l;
-				if (wide) high -= h;
+				if (magnitude != Magnitude::small) high -= h;
 			}
+			// What overflows here does so by whole multiples of 2^32: the difference itself fits.
+			if (magnitude == Magnitude::smallDifference)
+				low = (Int8)((Word8)low + ((Word8)high << NodeChanges::highShift));
 			*reinterpret_cast<UnalignedInt8*>(lowRow + i) += low;
 			if (wide) *reinterpret_cast<UnalignedInt8*>(highRow + i) += high;
 		}
@@ -162,18 +167,30 @@ inline void addRows(const NodeChanges& to, const KernelReach& reach, const Kerne
 	}
 }
 
-inline void addChangesImpl(const NodeChanges& to, bool wide, const KernelReach& reach, const KernelProfile* after,
-						   const KernelProfile* before)
+template <Magnitude magnitude>
+inline void addRowsOf(const NodeChanges& to, const KernelReach& reach, const KernelProfile* after,
+					  const KernelProfile* before)
 {
 	if (after && before)
-		wide ? addRows<true, true, true>(to, reach, after, before)
-			 : addRows<true, true, false>(to, reach, after, before);
+		addRows<true, true, magnitude>(to, reach, after, before);
 	else if (after)
-		wide ? addRows<true, false, true>(to, reach, after, before)
-			 : addRows<true, false, false>(to, reach, after, before);
+		addRows<true, false, magnitude>(to, reach, after, before);
 	else if (before)
-		wide ? addRows<false, true, true>(to, reach, after, before)
-			 : addRows<false, true, false>(to, reach, after, before);
+		addRows<false, true, magnitude>(to, reach, after, before);
+}
+
+inline void addChangesImpl(const NodeChanges& to, Magnitude magnitude, const KernelReach& reach,
+						   const KernelProfile* after, const KernelProfile* before)
+{
+	switch (magnitude)
+	{
+		case Magnitude::small:
+			return addRowsOf<Magnitude::small>(to, reach, after, before);
+		case Magnitude::smallDifference:
+			return addRowsOf<Magnitude::smallDifference>(to, reach, after, before);
+		case Magnitude::large:
+			return addRowsOf<Magnitude::large>(to, reach, after, before);
+	}
 }
 
 inline bool isAnySet(const Int8& v)

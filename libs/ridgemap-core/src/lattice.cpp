@@ -175,7 +175,7 @@ void Lattice::apply(std::vector<Delta> list, int sign)
 		{
 			tile = &tiles_.at(tiles_.tileOfBlock(d.block.x, d.block.y));
 			block = &tile->blocks[slot(d.block)];
-			changed_.insert(d.block);
+			noteChange(d.block, *block);
 		}
 		CellSums& sums = block->findOrAdd(d.key);
 		if (grid_.compacts()) block->remember(d.key, sums);
@@ -185,6 +185,12 @@ void Lattice::apply(std::vector<Delta> list, int sign)
 		if (cellBin(d.key) != 0) directed_ += std::uint64_t(after[i].n) - sums.n;
 		sums = after[i];
 	}
+}
+
+void Lattice::noteChange(BlockIndex index, Block& block)
+{
+	if (!block.isChanged) changed_.push_back(index);
+	block.isChanged = true;
 }
 
 /** Calls fn(index, block) for every block with cells, row by row over the whole map. */

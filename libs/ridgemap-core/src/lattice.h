@@ -3,7 +3,6 @@
 
 #include <ridgemap/ridge_map.h>
 
-#include <unordered_set>
 #include <vector>
 
 #include "field_nodes.h"
@@ -20,11 +19,6 @@ struct BlockIndex
 	std::int64_t x = 0, y = 0;
 	friend bool operator==(BlockIndex a, BlockIndex b) { return a.x == b.x && a.y == b.y; }
 	friend bool operator<(BlockIndex a, BlockIndex b) { return a.y != b.y ? a.y < b.y : a.x < b.x; }
-};
-
-struct BlockIndexHash
-{
-	std::size_t operator()(BlockIndex b) const { return TileKeyHash()({std::int32_t(b.x), std::int32_t(b.y)}); }
 };
 
 /** The measurements of a map: exact integer sums per cell, kept in the blocks of the tiles. Every change is checked as
@@ -95,6 +89,7 @@ class Lattice
 		std::vector<BlockIndex> touched;  ///< blocks where L changed, in canonical order
 		std::size_t kernels = 0;
 	};
+	void noteChange(BlockIndex index, Block& block);
 	void refreshTile(TileChanges& changes, SpreadScratch& scratch);
 	std::vector<TileChanges> changesByTile(const std::vector<BlockIndex>& blocks) const;
 	std::vector<TileKey> makeTilesInReach(const std::vector<BlockIndex>& blocks);
@@ -110,7 +105,7 @@ class Lattice
 	TileStore tiles_;
 	std::uint64_t measurements_ = 0;
 	std::uint64_t directed_ = 0;  ///< measurements with a direction bin
-	std::unordered_set<BlockIndex, BlockIndexHash> changed_;
+	std::vector<BlockIndex> changed_;  ///< blocks whose cells changed since the last refresh, each once
 };
 
 }  // namespace ridgemap

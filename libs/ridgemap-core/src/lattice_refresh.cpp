@@ -46,6 +46,7 @@ void Lattice::refreshTile(TileChanges& changes, SpreadScratch& scratch)
 	for (const BlockIndex& b : changes.blocks)
 	{
 		Block& block = around[4]->blocks[slot(b)];
+		block.isChanged = false;
 		block.dropEmpty();
 		block.rebuild(grid_);
 		if (!grid_.compacts()) continue;
@@ -130,11 +131,11 @@ Lattice::Changes Lattice::refresh(unsigned threads)
 		tiles_.setSided(directed_ > 0);
 		changes.values = occupiedBlocks();
 		for (const BlockIndex& b : changes.values)
-			if (!blockAt(b).cells.empty()) changed_.insert(b);
+			if (Block& block = blockAt(b); !block.cells.empty()) noteChange(b, block);
 	}
-	changes.cells.assign(changed_.begin(), changed_.end());
-	std::sort(changes.cells.begin(), changes.cells.end());
+	changes.cells = std::move(changed_);
 	changed_.clear();
+	std::sort(changes.cells.begin(), changes.cells.end());
 	const std::vector<TileKey> made = makeTilesInReach(changes.cells);
 	std::vector<TileChanges> list = changesByTile(changes.cells);
 	std::vector<SpreadScratch> scratch(std::max(1u, threads));
