@@ -103,6 +103,7 @@ bool SimpleMapReader::next(Frame& frame)
 			if (frame.observation) return true;
 			skip("places without an observation", "repair it, or use the rest of it by --keep-going");
 		}
+		sf->clear();  // a whole log stays in memory otherwise while the map grows
 	}
 	return false;
 }

@@ -7,7 +7,8 @@
 
 namespace ridgemap::apps
 {
-/** Reads a CSimpleMap: every observation of its sensory frames at the mean of the pose stored with it. */
+/** Reads a CSimpleMap: every observation of its sensory frames at the mean of the pose stored with it. What was read is
+ * given back frame by frame. */
 class SimpleMapReader : public FrameReader
 {
  public:

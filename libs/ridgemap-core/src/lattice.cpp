@@ -210,9 +210,17 @@ void Lattice::forEachBlock(Fn fn) const
 	for (const BlockIndex& b : order) fn(b, *findBlock(b));
 }
 
+std::size_t Lattice::occupiedCells() const
+{
+	std::size_t sum = 0;
+	for (const TileKey& key : tiles_.keys()) sum += tiles_.find(key)->cellCount;
+	return sum;
+}
+
 std::vector<Lattice::Delta> Lattice::allCells() const
 {
 	std::vector<Delta> result;
+	result.reserve(occupiedCells());
 	forEachBlock(
 		[&](BlockIndex b, const Block& block)
 		{
@@ -225,6 +233,7 @@ std::vector<Lattice::Delta> Lattice::allCells() const
 std::vector<CellRecord> Lattice::cells() const
 {
 	std::vector<CellRecord> result;
+	result.reserve(occupiedCells());
 	const std::int64_t perBlock = grid_.cellsPerBlock();
 	forEachBlock(
 		[&](BlockIndex b, const Block& block)

@@ -69,6 +69,7 @@ class Lattice
 
 	std::vector<Delta> deltas(const std::vector<Measurement>& m) const;
 	std::vector<Delta> allCells() const;
+	std::size_t occupiedCells() const;
 	std::vector<BlockIndex> occupiedBlocks() const;
 	/** Bin of the viewing direction; 0 if it is not known or not to be used. */
 	std::uint32_t binOf(const Measurement& m) const;
