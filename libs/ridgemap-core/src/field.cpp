@@ -181,11 +181,11 @@ FieldTurn FieldPoint::turn(Vec2 normal)
 
 void TileField::provideNodes(std::uint32_t bin, Range x, Range y) const
 {
-	std::vector<std::uint64_t>& copied = scratch_->planes[bin].hasCopied;
-	const std::uint64_t columns = BlockMask::columns(x.first + halo_, x.last + halo_);
+	std::vector<std::uint32_t>& copied = scratch_->planes[bin].hasCopied;
+	const std::uint32_t columns = BlockMask::columns(x.first + halo_, x.last + halo_);
 	for (int by = y.first; by <= y.last; by++)
 	{
-		std::uint64_t& row = copied[std::size_t(by + halo_)];
+		std::uint32_t& row = copied[std::size_t(by + halo_)];
 		if ((row & columns) == columns) continue;
 		for (int bx = x.first; bx <= x.last; bx++)
 			if (!(row & BlockMask::columns(bx + halo_, bx + halo_))) copyBlock(bin, bx, by);

@@ -27,7 +27,7 @@ struct FieldScratch
 	struct Plane
 	{
 		std::vector<float> nodes;              ///< around the tile, row by row, where they were asked for
-		std::vector<std::uint64_t> hasCopied;  ///< blocks that are in `nodes`, one word a row of blocks
+		std::vector<std::uint32_t> hasCopied;  ///< blocks that are in `nodes`, one word a row of blocks
 	};
 	std::vector<Plane> planes;         ///< by direction bin
 	std::vector<const Block*> blocks;  ///< row by row; nullptr where there is nothing
@@ -61,8 +61,8 @@ class TileField
 		if (nonEmpty_ == 0) reach_.addAll();
 		return nonEmpty_ == 0;
 	}
-	/** The blocks on which everything that was asked depends. The field must not be asked afterwards. */
-	BlockMask takeReach() { return std::move(reach_); }
+	/** The blocks on which everything that was asked depends. */
+	const BlockMask& reach() const { return reach_; }
 	double tileEdge() const { return edge_; }
 	bool inDomain(Vec2 p) const
 	{

@@ -3,6 +3,7 @@
 
 #include <ridgemap/types.h>
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
@@ -107,31 +108,28 @@ class BlockMask
 {
  public:
 	BlockMask() = default;
-	explicit BlockMask(int side) : rows_(std::size_t(side), 0) {}
+	/** No block of a neighbourhood of side x side blocks. */
+	explicit BlockMask(int side) : side_(side) {}
 
 	/** The columns first..last of a row, counted from the corner of the halo. */
-	static std::uint64_t columns(int first, int last)
-	{
-		return (std::uint64_t(2) << last) - (std::uint64_t(1) << first);
-	}
+	static std::uint32_t columns(int first, int last) { return (std::uint32_t(2) << last) - (std::uint32_t(1) << first); }
 	/** Adds the blocks of columns first..last in a row. */
 	void add(int row, int first, int last) { rows_[std::size_t(row)] |= columns(first, last); }
-	void addAll()
-	{
-		for (std::uint64_t& r : rows_) r = ~std::uint64_t(0);
-	}
+	void addAll() { rows_.fill(~std::uint32_t(0)); }
 	/** True also if one of the two was never filled: then nothing is known. */
 	bool intersects(const BlockMask& o) const
 	{
-		if (rows_.empty() || o.rows_.empty()) return true;
-		for (std::size_t i = 0; i < rows_.size(); i++)
+		if (side_ == 0 || o.side_ == 0) return true;
+		for (std::size_t i = 0; i < std::size_t(side_); i++)
 			if (rows_[i] & o.rows_[i]) return true;
 		return false;
 	}
-	std::size_t memoryBytes() const { return rows_.capacity() * sizeof(std::uint64_t); }
 
  private:
-	std::vector<std::uint64_t> rows_;
+	static constexpr std::size_t largestSide = 22;  ///< of tiles of 64 sigma with a cut-off of 8 sigma
+
+	int side_ = 0;
+	std::array<std::uint32_t, largestSide> rows_{};
 };
 
 /** A square of the plane with all that belongs to it: cells and kernels, lower-left corner, lower and left border, and

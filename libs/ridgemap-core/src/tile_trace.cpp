@@ -87,7 +87,11 @@ class TileTracer
 									   starts.push_back({q, bin});
 							   });
 		for (const auto& [q, bin] : starts)
-			if (!startsNothing(q, bin) && !searched_.contains(q, bin)) fromMeasurement(q, bin);
+		{
+			if (startsNothing(q, bin)) continue;
+			noteKnown();
+			if (!searched_.contains(q, bin)) fromMeasurement(q, bin);
+		}
 	}
 
 	/** Looks for a ridge from one measurement, unless an earlier search came past. */
@@ -157,15 +161,32 @@ class TileTracer
 		const std::vector<RidgeNode>& n = piece.nodes;
 		for (std::size_t i = 1; i < n.size(); i++)
 		{
-			std::uint32_t mask = 0;
-			for (std::uint32_t bin = 0; bin < directionBins; bin++)
-				mask |= std::uint32_t(field_.sees(bin, n[i].normal)) << bin;
+			const std::uint32_t mask = binsSeenBy(n[i].normal);
 			covered_.addCapsule(n[i - 1].p, n[i].p, coverDistance, mask);
-			searched_.addCapsule(n[i - 1].p, n[i].p, knownDistance, mask);
 			if (i == 1 && piece.start.side >= 0) behind_.push_back({n[0].p, unit(n[0].p - n[1].p), mask});
 			if (i + 1 == n.size() && piece.end.side >= 0) behind_.push_back({n[i].p, unit(n[i].p - n[i - 1].p), mask});
 		}
 		result_.pieces.push_back(std::move(piece));
+	}
+
+	/** Searches need to come no closer than this to the pieces that there are. In most tiles there are no searches. */
+	void noteKnown()
+	{
+		for (; known_ < result_.pieces.size(); known_++)
+		{
+			const std::vector<RidgeNode>& n = result_.pieces[known_].nodes;
+			for (std::size_t i = 1; i < n.size(); i++)
+				searched_.addCapsule(n[i - 1].p, n[i].p, knownDistance, binsSeenBy(n[i].normal));
+		}
+	}
+
+	std::uint32_t binsSeenBy(Vec2 normal) const
+	{
+		if (!field_.isSided()) return (std::uint32_t(1) << directionBins) - 1;
+		std::uint32_t mask = 0;
+		for (std::uint32_t bin = 0; bin < directionBins; bin++)
+			mask |= std::uint32_t(field_.sees(bin, normal)) << bin;
+		return mask;
 	}
 
 	/** The measurement lies outside the tile, beside a ridge that goes on there. */
@@ -199,6 +220,7 @@ class TileTracer
 	TileTrace result_;
 	PlaceSets covered_;   ///< by direction bin: measurements here start no ridge
 	PlaceSets searched_;  ///< by direction bin: a search that comes here finds nothing new
+	std::size_t known_ = 0;  ///< pieces that are in searched_
 	std::vector<Behind> behind_;
 	std::vector<Vec2> path_;  ///< of the present search
 	RidgeTracer tracer_;

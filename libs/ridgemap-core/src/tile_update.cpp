@@ -154,7 +154,7 @@ class TileUpdate
 		const Stopwatch watch;
 		TileField field(tiles_, w.key, options_, &scratchOf(thread));
 		const Vec2 corner = placeCorner(field, options_);
-		w.tile->cornerReach = field.takeReach();
+		w.tile->cornerReach = field.reach();
 		w.note(field);
 		w.cornerMoved = !(corner == w.tile->corner);
 		w.tile->corner = corner;
@@ -171,7 +171,7 @@ class TileUpdate
 		TileField field(tiles_, w.key, options_, &scratchOf(thread));
 		Edge bottom = layEdge(field, w.tile->corner, Vec2{edge, 0} + cornerOf(right), options_);
 		Edge left = layEdge(field, w.tile->corner, Vec2{0, edge} + cornerOf(above), options_);
-		w.tile->borderReach = field.takeReach();
+		w.tile->borderReach = field.reach();
 		w.note(field);
 		w.bordersChanged = !(bottom == w.tile->bottom && left == w.tile->left);
 		w.tile->bottom = std::move(bottom);
@@ -187,7 +187,7 @@ class TileUpdate
 		TileField field(tiles_, w.key, options_, &scratchOf(thread));
 		TileBorder border(tiles_, w.key);
 		w.trace = std::make_unique<TileTrace>(traceTile(field, border, options_));
-		w.tile->traceReach = field.takeReach();
+		w.tile->traceReach = field.reach();
 		w.note(field);
 	}
 
