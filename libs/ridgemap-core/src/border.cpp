@@ -18,6 +18,7 @@ constexpr double sameCrossing = 0.01;    ///< found from two sides, one crossing
 constexpr double leastOccupancy = 0.25;  ///< of the next node, in L_tol, below which no ridge can be near
 constexpr double jump = 1e-3;            ///< a crossing that is farther from the ridge than this is none [sigma]
 constexpr int maxSplits = 5;
+constexpr int patience = 2;  ///< steps after which a search for a crossing is given up where no ridge can be
 
 /** Normals from which ridges are looked for in a sided field: every ridge has one of them within 45 degrees. */
 constexpr std::array<Vec2, 4> sides = {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}};
@@ -134,6 +135,7 @@ class SegmentScan
 		{
 			if (depth >= maxSplits) return;
 			const BorderSample middle = sampleAt(0.5 * (a.s + b.s), a);
+			if (depth >= patience && isHopeless(a, middle, b)) return;
 			interval(a, middle, depth + 1, s0, crossings);
 			interval(middle, b, depth + 1, s0, crossings);
 			return;
@@ -182,6 +184,7 @@ class SegmentScan
 			if (!newton || i % 8 == 7) s = 0.5 * (a.s + b.s);
 			root = sampleAt(s, a);
 			((root.f < 0) == (a.f < 0) ? a : b) = root;
+			if (i >= patience && isHopeless(a, root, b)) return;
 		}
 		const RidgePoint& r = root.r;
 		// In a sided field, f may also change its sign with a jump, where another normal takes over.
@@ -190,6 +193,15 @@ class SegmentScan
 		if (r.occupancy >= 0.9 * options_.lTol) quality_ = std::min(quality_, std::abs(cross(tangent, direction_)));
 		if (r.occupancy >= options_.lTol && isSupported(field_, options_, r, tangent))
 			crossings.push_back({r.p, tangent, r.v1, s0 + root.s});
+	}
+
+	/** None of three places close together is anything like a ridge: most changes of the sign of f lie beside ridges,
+	 * where v1 turns, and would take many steps to find and to discard. */
+	bool isHopeless(const BorderSample& a, const BorderSample& b, const BorderSample& c) const
+	{
+		const auto isLikely = [&](const BorderSample& x)
+		{ return x.r.lambda1 < 0 && x.r.occupancy > 0 && sensitivity(x.r) <= 2 * options_.maxSensitivity; };
+		return !isLikely(a) && !isLikely(b) && !isLikely(c);
 	}
 
 	const TileField& field_;
@@ -243,17 +255,17 @@ bool isSupported(const TileField& field, const Options& options, const RidgePoin
 {
 	const double extent = CellGrid(options).halfExtent();
 	bool ahead = false, behind = false;
-	field.forEachCellNear(r.p, options.dTol + supportWidth,
-						  [&](Vec2 q, std::uint32_t bin)
-						  {
-							  if (!field.sees(bin, r.v1)) return;
-							  const Vec2 d = q - r.p;
-							  const double along = dot(d, tangent), across = cross(tangent, d);
-							  if (std::abs(across) > supportWidth || std::abs(along) > options.dTol + extent) return;
-							  ahead = ahead || along + extent >= 0;
-							  behind = behind || along - extent <= 0;
-						  });
-	return ahead && behind;
+	const auto completes = [&](Vec2 q, std::uint32_t bin)
+	{
+		const Vec2 d = q - r.p;
+		const double along = dot(d, tangent), across = cross(tangent, d);
+		if (std::abs(across) > supportWidth || std::abs(along) > options.dTol + extent || !field.sees(bin, r.v1))
+			return false;
+		ahead = ahead || along + extent >= 0;
+		behind = behind || along - extent <= 0;
+		return ahead && behind;
+	};
+	return field.anyCellNear(r.p, options.dTol + supportWidth, completes);
 }
 
 Vec2 placeCorner(const TileField& field, const Options& options)

@@ -90,6 +90,17 @@ class TileField
 	template <class Fn>
 	void forEachCellNear(Vec2 p, double radius, Fn fn) const
 	{
+		anyCellNear(p, radius,
+					[&](Vec2 q, std::uint32_t bin)
+					{
+						fn(q, bin);
+						return false;
+					});
+	}
+	/** The same until fn returns true; whether it did. */
+	template <class Fn>
+	bool anyCellNear(Vec2 p, double radius, Fn fn) const
+	{
 		const Range x = range(p.x, radius), y = range(p.y, radius);
 		look(x, y);
 		for (int by = y.first; by <= y.last; by++)
@@ -98,8 +109,10 @@ class TileField
 				const Block* b = block(bx, by);
 				if (!b) continue;
 				const Vec2 c = centre(bx, by);
-				for (const CellPoint& q : b->points) fn(Vec2{c.x + double(q.x), c.y + double(q.y)}, q.bin);
+				for (const CellPoint& q : b->points)
+					if (fn(Vec2{c.x + double(q.x), c.y + double(q.y)}, q.bin)) return true;
 			}
+		return false;
 	}
 
 	const FieldWork& work() const { return work_; }

@@ -125,8 +125,7 @@ void KernelSpreader::add(const Change& c, SpreadScratch& s) const
 					*w.reach, p);
 		return &p;
 	};
-	addChanges(changesAt(s, w.x0, w.y0), c.magnitude, *w.reach, profile(c.after, s.after),
-			   profile(c.before, s.before));
+	addChanges(changesAt(s, w.x0, w.y0), c.magnitude, *w.reach, profile(c.after, s.after), profile(c.before, s.before));
 	const Box b = blocksInReach(c.key);
 	const bool fresh = s.x0 == s.x1;
 	s.x0 = fresh ? b.x0 : std::min(s.x0, b.x0);

@@ -53,9 +53,9 @@ void makeProfile(const KernelShape& shape, const KernelReach& reach, KernelProfi
 /** How large what is added up may become. All give the same integers. */
 enum class Magnitude
 {
-	small,           ///< values and the sums of their changes stay below 2^31
-	smallDifference, ///< values up to 2^51, sums of their changes below 2^31
-	large            ///< values up to 2^51 and their sums: high parts are used
+	small,            ///< values and the sums of their changes stay below 2^31
+	smallDifference,  ///< values up to 2^51, sums of their changes below 2^31
+	large             ///< values up to 2^51 and their sums: high parts are used
 };
 
 /** Adds the values of `after` and takes away those of `before`, either of which may be nullptr, each rounded to an

@@ -105,7 +105,7 @@ class Lattice
 	bool sides_;  ///< viewing directions are kept
 	TileStore tiles_;
 	std::uint64_t measurements_ = 0;
-	std::uint64_t directed_ = 0;  ///< measurements with a direction bin
+	std::uint64_t directed_ = 0;       ///< measurements with a direction bin
 	std::vector<BlockIndex> changed_;  ///< blocks whose cells changed since the last refresh, each once
 };
 

@@ -112,7 +112,10 @@ class BlockMask
 	explicit BlockMask(int side) : side_(side) {}
 
 	/** The columns first..last of a row, counted from the corner of the halo. */
-	static std::uint32_t columns(int first, int last) { return (std::uint32_t(2) << last) - (std::uint32_t(1) << first); }
+	static std::uint32_t columns(int first, int last)
+	{
+		return (std::uint32_t(2) << last) - (std::uint32_t(1) << first);
+	}
 	/** Adds the blocks of columns first..last in a row. */
 	void add(int row, int first, int last) { rows_[std::size_t(row)] |= columns(first, last); }
 	void addAll() { rows_.fill(~std::uint32_t(0)); }

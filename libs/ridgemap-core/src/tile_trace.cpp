@@ -184,8 +184,7 @@ class TileTracer
 	{
 		if (!field_.isSided()) return (std::uint32_t(1) << directionBins) - 1;
 		std::uint32_t mask = 0;
-		for (std::uint32_t bin = 0; bin < directionBins; bin++)
-			mask |= std::uint32_t(field_.sees(bin, normal)) << bin;
+		for (std::uint32_t bin = 0; bin < directionBins; bin++) mask |= std::uint32_t(field_.sees(bin, normal)) << bin;
 		return mask;
 	}
 
@@ -218,8 +217,8 @@ class TileTracer
 	TileBorder& border_;
 	const Options& options_;
 	TileTrace result_;
-	PlaceSets covered_;   ///< by direction bin: measurements here start no ridge
-	PlaceSets searched_;  ///< by direction bin: a search that comes here finds nothing new
+	PlaceSets covered_;      ///< by direction bin: measurements here start no ridge
+	PlaceSets searched_;     ///< by direction bin: a search that comes here finds nothing new
 	std::size_t known_ = 0;  ///< pieces that are in searched_
 	std::vector<Behind> behind_;
 	std::vector<Vec2> path_;  ///< of the present search

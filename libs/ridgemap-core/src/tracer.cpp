@@ -325,16 +325,13 @@ bool RidgeTracer::measurementNear(const RidgePoint& r, Vec2 tangent) const
 	if (field_.weightNear(r.p, options_.cutoff) * expMinusSeries(0.5 * options_.dTol * options_.dTol) < options_.lTol)
 		return true;
 	const double reach = options_.dTol + CellGrid(options_).halfExtent();
-	bool near = false;
-	field_.forEachCellNear(
-		r.p, options_.dTol + supportWidth,
-		[&](Vec2 q, std::uint32_t bin)
-		{
-			const Vec2 d = q - r.p;
-			if (!field_.sees(bin, r.v1)) return;
-			near = near || (std::abs(dot(d, tangent)) <= reach && std::abs(cross(tangent, d)) <= supportWidth);
-		});
-	return near;
+	const auto isNear = [&](Vec2 q, std::uint32_t bin)
+	{
+		const Vec2 d = q - r.p;
+		return std::abs(dot(d, tangent)) <= reach && std::abs(cross(tangent, d)) <= supportWidth &&
+			   field_.sees(bin, r.v1);
+	};
+	return field_.anyCellNear(r.p, options_.dTol + supportWidth, isNear);
 }
 
 void RidgeTracer::trimToMeasurements(Walk& walk) const
@@ -350,11 +347,12 @@ void RidgeTracer::trimToMeasurements(Walk& walk) const
 	}
 	double back = length;
 	const double extent = CellGrid(options_).halfExtent();
-	const double reach = length + supportWidth;
 	const Vec2 tip = walk.nodes.back().p;
 	const Vec2 side = walk.nodes.back().normal;
 	const auto visit = [&](Vec2 q, std::uint32_t bin)
 	{
+		// The way back along the ridge to the foot of q is no shorter than the straight one.
+		const double reach = back + extent + supportWidth;
 		if (back <= 0 || dot(q - tip, q - tip) > reach * reach || !field_.sees(bin, side)) return;
 		double behind = 0, bestBehind = length, best = supportWidth;
 		for (std::size_t i = walk.nodes.size() - 1; i > first && behind < back + extent; i--)
@@ -370,7 +368,7 @@ void RidgeTracer::trimToMeasurements(Walk& walk) const
 		}
 		back = std::min(back, std::max(0.0, bestBehind - extent));
 	};
-	field_.forEachCellNear(tip, reach, visit);
+	field_.forEachCellNear(tip, length + supportWidth, visit);
 	if (back <= 0) return;
 	if (walk.end.reason == StopReason::unregisteredExit) walk.end.reason = StopReason::noMeasurement;
 	while (walk.nodes.size() > 1)
