@@ -134,19 +134,25 @@ void FreeSpace::insertCells(const std::vector<FreeCellRecord>& cells)
 
 std::vector<FreeCellRecord> FreeSpace::cells() const
 {
+	std::vector<TileKey> keys;
+	for (const auto& entry : tiles_) keys.push_back(entry.first);
+	std::sort(keys.begin(), keys.end());
 	std::vector<FreeCellRecord> result;
-	for (const auto& [key, t] : tiles_)
-		for (std::size_t i = 0; i < CounterTile::cells; i++)
-		{
-			const PassSums s = t->sums(i);
-			if (s.n == 0) continue;
-			result.push_back({key.x * CounterTile::edge + std::int64_t(i) % CounterTile::edge,
-							  key.y * CounterTile::edge + std::int64_t(i) / CounterTile::edge, std::uint64_t(s.n), s.a,
-							  s.b});
-		}
-	std::sort(result.begin(), result.end(),
-			  [](const FreeCellRecord& x, const FreeCellRecord& y)
-			  { return x.cy != y.cy ? x.cy < y.cy : x.cx < y.cx; });
+	for (auto first = keys.begin(), last = first; first != keys.end(); first = last)
+	{
+		last = std::find_if(first, keys.end(), [&](TileKey k) { return k.y != first->y; });
+		std::vector<const CounterTile*> row;
+		for (auto k = first; k != last; ++k) row.push_back(tiles_.at(*k).get());
+		for (std::int64_t y = 0; y < CounterTile::edge; y++)
+			for (std::size_t i = 0; i < row.size(); i++)
+				for (std::int64_t x = 0; x < CounterTile::edge; x++)
+				{
+					const PassSums s = row[i]->sums(CounterTile::slot(x, y));
+					if (s.n == 0) continue;
+					result.push_back({first[std::ptrdiff_t(i)].x * CounterTile::edge + x,
+									  first->y * CounterTile::edge + y, std::uint64_t(s.n), s.a, s.b});
+				}
+	}
 	return result;
 }
 
