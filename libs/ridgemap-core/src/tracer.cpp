@@ -14,7 +14,7 @@ namespace ridgemap
 {
 namespace
 {
-constexpr double shortSegment = 0.5;   ///< shorter segments mark a strong bend: check them more densely [sigma]
+constexpr double shortSegment = 0.5;   ///< shorter segments mark a strong bend: trust the tangents less there [sigma]
 constexpr double longSegment = 1;      ///< longer segments can hide an S [sigma]
 constexpr double acceptedShare = 0.7;  ///< share of eps that the estimated error of a segment may use
 constexpr int maxNodes = 4000;
@@ -273,7 +273,8 @@ RidgeTracer::Verdict RidgeTracer::verify(const RidgePoint& a, Vec2 tangentA, con
 		for (const double t : places)
 			if (error <= limit) error = std::max(error, std::abs(offset(t)));
 	};
-	if (error <= limit && (surprise > 0.2 * eps_ || h < shortSegment))
+	const bool plain = h < shortSegment ? surprise <= 0.02 * eps_ && error <= 0.25 * limit : surprise <= 0.2 * eps_;
+	if (error <= limit && !plain)
 		lookAt({0.25, 0.75, 0.1, 0.9, 0.375, 0.625});
 	else if (error <= limit && h > longSegment && error > 0.5 * limit)
 		lookAt({0.25, 0.75});
