@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Types the commands of the tutorials doc/icp-slam.md, rbpf-slam.md and localization.md, and draws what they leave behind:
-# the pictures of these pages. Needs the programs in build/bin, MRPT's programs with their sample data, and gnuplot.
+# Types the commands of the tutorials doc/icp-slam.md, rbpf-slam.md, localization.md and cpp.md, and draws what they leave
+# behind: the pictures of these pages. Needs a build in build/, MRPT's programs with their sample data, and gnuplot.
 set -euo pipefail
 . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
@@ -64,3 +64,13 @@ walls LOG_LOCALIZATION_000_0040000/*_walls.csv
 draw localization 900 480 -14:20 -16:4 "'LOG_LOCALIZATION_000_0040000/particles/particles_0_initial.txt' every 20 using 1:2 \
 	with points pt 7 ps 0.3 lc rgb '#9fc5f8' title 'first particles', \
 	'estimates' using 1:2:(sqrt(\$3 / 2)) with circles lw 1.2 lc rgb '#e69138' title 'estimates, with deviation'"
+
+say "match_scan"
+cmake --install "$(dirname "$programs")" --prefix "$scratch/prefix" >log
+cmake -S "$root/tests/consumer" -B "$scratch/consumer" -DCMAKE_PREFIX_PATH="$scratch/prefix" >log
+cmake --build "$scratch/consumer" --target match_scan >log 2>&1 || die "$(tail log)"
+"$programs/ridgemap-simulate" hallway --sensor lidar --seed 1 -o drive >log
+"$scratch/consumer/match_scan" drive.simplemap.gz
+walls match_scan_walls.csv
+draw cpp 560 560 -1:17 -2:16.5 "'match_scan_start.txt' using 1:2 with points pt 7 ps 0.4 lc rgb '#999999' title 'scan at the start', \
+	'match_scan_found.txt' using 1:2 with points pt 7 ps 0.4 lc rgb '#e69138' title 'at the pose found'"

@@ -11,11 +11,24 @@ fail()
 	exit 1
 }
 
-# block <language>: the first fenced block of that language in the README.
-block() { awk -v fence="\`\`\`$1" '$0 == "```" && inside { exit } inside { print } $0 == fence { inside = 1 }' README.md; }
+# block <page> <language> <number>: the fenced blocks of that language in a page, counted from 1.
+block()
+{
+	awk -v fence="\`\`\`$2" -v wanted="$3" '
+		$0 == "```" { inside = 0 }
+		inside && n == wanted { print }
+		$0 == fence { inside = 1; n++ }' "$1"
+}
 
-# The C++ example of the README is the one that the consumer test compiles and runs.
-diff <(block cpp) <(tail -n +2 tests/consumer/main.cpp) || fail "README.md and tests/consumer/main.cpp differ"
+# The C++ examples are those that the consumer test compiles and runs.
+while read -r page number file; do
+	diff <(block "$page" cpp "$number") <(tail -n +2 "tests/consumer/$file.cpp") ||
+		fail "block $number of $page and tests/consumer/$file.cpp differ"
+done <<-END
+	README.md 1 main
+	doc/cpp.md 1 match_scan
+	doc/cpp.md 2 correct_poses
+END
 
 # One version everywhere.
 version=$(sed -n 's/^project(ridgemap VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
@@ -38,7 +51,7 @@ diff doc/options.md <(scripts/options-page.sh "$program") ||
 # Every setting of the INI example of the README is understood and taken over.
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
-block ini >"$scratch/example.ini"
+block README.md ini 1 >"$scratch/example.ini"
 "$program" --config "$scratch/example.ini" --dump-config >"$scratch/dump.ini"
 # settings <file>: section and key = value, without comments and padding.
 settings() { sed -E 's|[[:space:]]*//.*||; s/[[:space:]]*=[[:space:]]*/=/' "$1" | awk '/^\[/ { section = $0; next } /=/ { print section $0 }' | sort; }

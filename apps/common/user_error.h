@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <exception>
+#include <ridgemap/one_line.h>
+
 #include <stdexcept>
 #include <string>
 
@@ -13,9 +14,6 @@ class UserError : public std::runtime_error
  public:
 	UserError(const std::string& cause, const std::string& remedy) : std::runtime_error(cause + "; " + remedy) {}
 };
-
-/** The cause in one line: MRPT's exceptions carry several lines of locations and call stacks around it. */
-std::string oneLine(const std::exception& e);
 
 /** Runs a program with C++ streams silenced, because MRPT prints to them: an exception becomes the line `program:
  * error: ...` on stderr and a non-zero return code. */

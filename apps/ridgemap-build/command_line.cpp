@@ -139,7 +139,8 @@ struct Arguments
 		"o",
 		"output",
 		"Where to write: PREFIX.ridgemap, PREFIX_ridges.csv, PREFIX_walls.csv, PREFIX_measurements.csv, PREFIX.png, "
-		"PREFIX.svg, PREFIX.3Dscene and PREFIX_stats.json. The formats ridge_vertices and wall_vertices "
+		"PREFIX.svg, PREFIX.3Dscene and PREFIX_stats.json. The measurements, with their sensor positions, are an input "
+		"for the same map again (beams that met nothing are not in it). The formats ridge_vertices and wall_vertices "
 		"(PREFIX_ridge_vertices.csv, "
 		"PREFIX_wall_vertices.csv) hold occupancy, noise, standard error and 95 % interval of every node, too; removed "
 		"(PREFIX_removed.csv) what the walls leave out as rays passed through it",

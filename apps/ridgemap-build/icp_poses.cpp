@@ -35,7 +35,7 @@ void setDefaults(mrpt::slam::CMetricMapBuilderICP& slam)
 void addRidgeMap(mrpt::slam::CMetricMapBuilderICP& slam, const MapOptions& options)
 {
 	CRidgePointsMap::TMapDefinition ridges;
-	ridges.options = options;
+	ridges.map.options = options;
 	slam.ICP_options.mapInitializers.push_back(ridges);
 }
 

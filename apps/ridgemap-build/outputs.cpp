@@ -30,7 +30,7 @@ Outputs::Outputs(const std::string& prefix, const std::set<std::string>& formats
 		for (const std::string& path : paths()) AtomicFile probe(path);
 		if (!wanted("measurements")) return;
 		measurements_.emplace(pathOf("measurements"));
-		writePointsCsvHeader(measurements_->stream());
+		writeMeasurementsCsvHeader(measurements_->stream());
 	}
 	catch (const std::exception& e)
 	{
@@ -86,7 +86,7 @@ std::vector<std::string> Outputs::paths() const
 
 void Outputs::addMeasurement(const Measurement& m)
 {
-	if (measurements_) appendPointCsv(measurements_->stream(), m.x, m.y);
+	if (measurements_) appendMeasurementCsv(measurements_->stream(), m);
 }
 
 void Outputs::keep(const std::string& format, const std::function<void(AtomicFile&)>& writer)

@@ -50,7 +50,9 @@ bool PointsReader::readPoint(Measurement& point)
 			failLine("expected 2 or 4 numbers, found " + std::to_string(fields.size()) +
 					 (fields.size() == 1 ? " field" : " fields"));
 		double values[4] = {0, 0, point.sensorX, point.sensorY};
-		for (std::size_t i = 0; i < fields.size(); i++)
+		// As ridgemap-build itself writes it, an unknown sensor position has empty fields.
+		const std::size_t known = fields.size() == 4 && fields[2].empty() && fields[3].empty() ? 2 : fields.size();
+		for (std::size_t i = 0; i < known; i++)
 		{
 			const auto v = parseNumber(fields[i]);
 			if (!v) failLine("'" + fields[i].substr(0, 40) + "' is not a number");

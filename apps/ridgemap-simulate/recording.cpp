@@ -13,6 +13,7 @@
 #include <mrpt/serialization/CArchive.h>
 #include <ridgemap/atomic_file.h>
 #include <ridgemap/gz_archive.h>
+#include <ridgemap/polyline_csv.h>
 
 #include <filesystem>
 #include <stdexcept>
@@ -109,14 +110,9 @@ void writeSimplemap(mrpt::serialization::CArchive& archive, const Recording& rec
 
 void writeMeasurements(std::ostream& out, const Recording& recording)
 {
-	out << "x,y,sensorX,sensorY\n";
+	writeMeasurementsCsvHeader(out);
 	for (const Recording::Cycle& cycle : recording.cycles)
-		for (const Measurement& m : cycle.measurements)
-		{
-			char line[160];
-			std::snprintf(line, sizeof(line), "%.17g,%.17g,%.17g,%.17g\n", m.x, m.y, m.sensorX, m.sensorY);
-			out << line;
-		}
+		for (const Measurement& m : cycle.measurements) appendMeasurementCsv(out, m);
 }
 
 void writePoses(std::ostream& out, const Recording& recording)

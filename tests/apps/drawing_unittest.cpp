@@ -196,7 +196,7 @@ TEST(AtomicFile, errorsNamePathAndCause)
 	{
 		try
 		{
-			writePointsCsv(path, {{1, 2}});
+			writePolylinesCsv(path, {});
 		}
 		catch (const std::runtime_error& e)
 		{
@@ -208,7 +208,7 @@ TEST(AtomicFile, errorsNamePathAndCause)
 	std::filesystem::create_directory(dir / "taken");
 	EXPECT_EQ(message(dir / "taken"), "cannot write '" + (dir / "taken") + "': Is a directory");
 	EXPECT_EQ(message(dir / "fine.csv"), "");
-	EXPECT_EQ(readFile(dir / "fine.csv"), "x,y\n1,2\n");
+	EXPECT_EQ(readFile(dir / "fine.csv"), "polyline,x,y\n");
 }
 
 }  // namespace ridgemap::test

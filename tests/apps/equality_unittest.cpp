@@ -96,7 +96,7 @@ TEST_F(Equality, halvesMerged)
 			EXPECT_TRUE(readFile(dir / ("whole" + std::string(suffix))) == readFile(dir / (name + std::string(suffix))))
 				<< name << suffix;
 	// Only what this run inserted is listed as its measurements.
-	EXPECT_EQ(readFile(dir / "maps_measurements.csv"), "x,y\n");
+	EXPECT_EQ(readFile(dir / "maps_measurements.csv"), "x,y,sensorX,sensorY\n");
 	EXPECT_EQ(readFile(dir / "mixed_measurements.csv"), readFile(dir / "second_measurements.csv"));
 	EXPECT_EQ(readFile(dir / "inputs_measurements.csv"), readFile(dir / "whole_measurements.csv"));
 }

@@ -96,7 +96,7 @@ TEST_F(OutputFiles, measurements)
 	std::istringstream in(readFile(dir / "map_measurements.csv"));
 	std::string line;
 	std::getline(in, line);
-	EXPECT_EQ(line, "x,y");
+	EXPECT_EQ(line, "x,y,sensorX,sensorY");
 	std::size_t count = 0;
 	while (std::getline(in, line)) count++;
 	EXPECT_EQ(count, loadRidgeMap(dir / "map.ridgemap").core().statistics().measurements);

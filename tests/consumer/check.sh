@@ -44,4 +44,10 @@ if [ "$with_mrpt" = ON ]; then
 	expect '^sigma 0\.1 m$' "$scratch/build/map_class"
 	expect 'ridgemap-build' "$scratch/moved/bin/ridgemap-build" --help
 	expect 'ridgemap-info' "$scratch/moved/bin/ridgemap-info" --help
+
+	# The examples of doc/cpp.md.
+	cd "$scratch"
+	expect . "$scratch/moved/bin/ridgemap-simulate" hallway --sensor lidar --seed 1 -o drive
+	expect '^the start is 0\.36[0-9]* m off, the pose found 0\.00[0-9]* m$' "$scratch/build/match_scan" drive.simplemap.gz
+	expect '^the same ridges as from scratch$' "$scratch/build/correct_poses" drive.simplemap.gz
 fi

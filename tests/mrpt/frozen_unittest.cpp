@@ -7,6 +7,7 @@
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/tfest/TMatchingPair.h>
 #include <ridgemap/CRidgeMap2D.h>
+#include <ridgemap/CRidgePointsMap.h>
 #include <ridgemap/simplify.h>
 
 #include <cstdio>
@@ -165,6 +166,8 @@ TEST(FrozenMap, isLoadedByMrptPrograms)
 	ini.write("m", "ridgeMap_count", "1");
 	ini.write("m_ridgeMap_00_creationOpts", "file", path + "  // a comment");
 	ini.write("m_ridgeMap_00_likelihoodOpts", "sigmaHit", "0.07");
+	ini.write("m", "ridgePoints_count", "1");
+	ini.write("m_ridgePoints_00_creationOpts", "file", path);
 	mrpt::maps::TSetOfMetricMapInitializers list;
 	list.loadFromConfigFile(ini, "m");
 	mrpt::maps::CMultiMetricMap maps;
@@ -173,6 +176,10 @@ TEST(FrozenMap, isLoadedByMrptPrograms)
 	ASSERT_TRUE(loaded);
 	EXPECT_TRUE(samePolylines(loaded->walls(), map.walls()));
 	EXPECT_EQ(loaded->likelihoodOptions.sigmaHit, 0.07);
+	const auto points = maps.mapByClass<CRidgePointsMap>();
+	ASSERT_TRUE(points);
+	EXPECT_TRUE(samePolylines(points->ridgeMap().walls(), map.walls()));
+	EXPECT_EQ(points->size(), map.getAsSimplePointsMap()->size());
 	std::remove(path.c_str());
 	EXPECT_NE(messageOf([&] { maps.setListOfMaps(list); }).find(path), std::string::npos);
 }

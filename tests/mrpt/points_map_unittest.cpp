@@ -233,7 +233,7 @@ TEST(PointsMap, IsDrawnAndSavedWithItsPoints)
 TEST(PointsMap, DefinitionShowsItsOptions)
 {
 	CRidgePointsMap::TMapDefinition definition;
-	definition.options.creation.sigma = 0.125;
+	definition.map.options.creation.sigma = 0.125;
 	std::ostringstream out;
 	definition.dumpToTextStream(out);
 	EXPECT_NE(out.str().find("0.125"), std::string::npos) << out.str();

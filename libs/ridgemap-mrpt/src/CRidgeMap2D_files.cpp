@@ -7,9 +7,13 @@
 #include <ridgemap/atomic_file.h>
 #include <ridgemap/drawing.h>
 #include <ridgemap/gz_archive.h>
+#include <ridgemap/one_line.h>
 #include <ridgemap/polyline_csv.h>
 #include <ridgemap/scene_file.h>
 
+#include <cerrno>
+#include <cstring>
+#include <fstream>
 #include <stdexcept>
 
 namespace ridgemap
@@ -23,13 +27,6 @@ void saveScene(const CRidgeMap2D& map, const std::string& path)
 	AtomicFile file(path);
 	writeScene(file, {objects});
 	file.commit();
-}
-
-/** First line of a message: MRPT adds the places in its sources. */
-std::string firstLine(const std::exception& e)
-{
-	const std::string s = e.what();
-	return s.substr(0, s.find('\n'));
 }
 }  // namespace
 
@@ -46,10 +43,10 @@ void CRidgeMap2D::saveMetricMapRepresentationToFile(const std::string& filNamePr
 
 CRidgeMap2D loadRidgeMap(const std::string& path)
 {
-	mrpt::io::CFileGZInputStream file;
-	if (!file.open(path)) throw std::runtime_error("cannot open '" + path + "': no such file, or not readable");
+	if (!std::ifstream(path)) throw std::runtime_error("cannot open '" + path + "': " + std::strerror(errno));
 	try
 	{
+		mrpt::io::CFileGZInputStream file(path);
 		auto archive = mrpt::serialization::archiveFrom(file);
 		const auto object = archive.ReadObject();
 		auto* map = dynamic_cast<CRidgeMap2D*>(object.get());
@@ -58,7 +55,7 @@ CRidgeMap2D loadRidgeMap(const std::string& path)
 	}
 	catch (const std::exception& e)
 	{
-		throw std::runtime_error("cannot read a ridge map from '" + path + "': " + firstLine(e));
+		throw std::runtime_error("cannot read a ridge map from '" + path + "': " + oneLine(e));
 	}
 }
 

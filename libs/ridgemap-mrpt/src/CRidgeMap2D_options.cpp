@@ -41,51 +41,53 @@ void CRidgeMap2D::setMapOptions(const MapOptions& options)
 	matchingOptions = options.matching;
 }
 
+void RidgeMapDefinition::loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
+											const std::string& sectionPrefix)
+{
+	options.loadFromConfigFile(source, sectionPrefix);
+	file = withoutComment(source.read_string(sectionPrefix + "_creationOpts", "file", ""));
+}
+
+void RidgeMapDefinition::dumpToTextStream(std::ostream& out) const
+{
+	if (!file.empty()) out << "file                    = " << file << "\n";
+	options.creation.dumpToTextStream(out);
+	options.insertion.dumpToTextStream(out);
+	options.likelihood.dumpToTextStream(out);
+	options.render.dumpToTextStream(out);
+	options.matching.dumpToTextStream(out);
+}
+
+CRidgeMap2D RidgeMapDefinition::make() const
+{
+	if (file.empty()) return CRidgeMap2D(options);
+	CRidgeMap2D map = loadRidgeMap(file);
+	MapOptions all = options;
+	all.creation = TCreationOptions(map.options());
+	map.setMapOptions(all);
+	return map;
+}
+
 CRidgeMap2D::TMapDefinition::TMapDefinition() = default;
 
 void CRidgeMap2D::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::config::CConfigFileBase& source,
 																  const std::string& sectionNamePrefix)
 {
-	MapOptions all{creationOpts, insertionOpts, likelihoodOpts, renderOpts, matchingOpts};
-	all.loadFromConfigFile(source, sectionNamePrefix);
-	creationOpts = all.creation;
-	file = withoutComment(source.read_string(sectionNamePrefix + "_creationOpts", "file", ""));
-	insertionOpts = all.insertion;
-	likelihoodOpts = all.likelihood;
-	renderOpts = all.render;
-	matchingOpts = all.matching;
+	map.loadFromConfigFile(source, sectionNamePrefix);
 }
 
 void CRidgeMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-	if (!file.empty()) out << "file                    = " << file << "\n";
-	creationOpts.dumpToTextStream(out);
-	insertionOpts.dumpToTextStream(out);
-	likelihoodOpts.dumpToTextStream(out);
-	renderOpts.dumpToTextStream(out);
-	matchingOpts.dumpToTextStream(out);
-}
-
-CRidgeMap2D* CRidgeMap2D::TMapDefinition::load() const
-{
-	auto map = std::make_unique<CRidgeMap2D>(loadRidgeMap(file));
-	map->insertionOptions = insertionOpts;
-	map->likelihoodOptions = likelihoodOpts;
-	map->renderOptions = renderOpts;
-	map->matchingOptions = matchingOpts;
-	return map.release();
+	map.dumpToTextStream(out);
 }
 
 // A raw pointer before MRPT 2.11.3, a shared one since.
 std::invoke_result_t<mrpt::maps::internal::MapCtorFromDefFunctor, const mrpt::maps::TMetricMapInitializer&>
 CRidgeMap2D::internal_CreateFromMapDefinition(const mrpt::maps::TMetricMapInitializer& definition)
 {
-	const auto& d = dynamic_cast<const TMapDefinition&>(definition);
-	if (!d.file.empty()) return decltype(internal_CreateFromMapDefinition(d))(d.load());
 	using Result =
 		std::invoke_result_t<mrpt::maps::internal::MapCtorFromDefFunctor, const mrpt::maps::TMetricMapInitializer&>;
-	return Result(
-		new CRidgeMap2D(MapOptions{d.creationOpts, d.insertionOpts, d.likelihoodOpts, d.renderOpts, d.matchingOpts}));
+	return Result(new CRidgeMap2D(dynamic_cast<const TMapDefinition&>(definition).map.make()));
 }
 
 }  // namespace ridgemap

@@ -11,26 +11,21 @@ CRidgePointsMap::TMapDefinition::TMapDefinition() = default;
 void CRidgePointsMap::TMapDefinition::loadFromConfigFile_map_specific(const mrpt::config::CConfigFileBase& source,
 																	  const std::string& sectionNamePrefix)
 {
-	options.loadFromConfigFile(source, sectionNamePrefix);
+	map.loadFromConfigFile(source, sectionNamePrefix);
 }
 
 void CRidgePointsMap::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-	options.creation.dumpToTextStream(out);
-	options.insertion.dumpToTextStream(out);
-	options.likelihood.dumpToTextStream(out);
-	options.render.dumpToTextStream(out);
-	options.matching.dumpToTextStream(out);
+	map.dumpToTextStream(out);
 }
 
 // A raw pointer before MRPT 2.11.3, a shared one since.
 std::invoke_result_t<mrpt::maps::internal::MapCtorFromDefFunctor, const mrpt::maps::TMetricMapInitializer&>
 CRidgePointsMap::internal_CreateFromMapDefinition(const mrpt::maps::TMetricMapInitializer& definition)
 {
-	const auto& d = dynamic_cast<const TMapDefinition&>(definition);
 	using Result =
 		std::invoke_result_t<mrpt::maps::internal::MapCtorFromDefFunctor, const mrpt::maps::TMetricMapInitializer&>;
-	return Result(new CRidgePointsMap(d.options));
+	return Result(new CRidgePointsMap(dynamic_cast<const TMapDefinition&>(definition).map.make()));
 }
 
 }  // namespace ridgemap

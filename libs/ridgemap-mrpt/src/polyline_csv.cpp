@@ -80,28 +80,25 @@ void writeVerticesCsv(std::ostream& out, const std::vector<Polyline>& polylines,
 		}
 }
 
-void writePointsCsvHeader(std::ostream& out)
+void writeMeasurementsCsvHeader(std::ostream& out)
 {
-	out << "x,y\n";
+	out << "x,y,sensorX,sensorY\n";
 }
 
-void appendPointCsv(std::ostream& out, double x, double y)
+void appendMeasurementCsv(std::ostream& out, const Measurement& m)
 {
 	char line[maxLine];
-	appendXY(line, line + maxLine, x, y, line, out);
-}
-
-void writePointsCsv(std::ostream& out, const std::vector<Point2>& points)
-{
-	writePointsCsvHeader(out);
-	for (const Point2& p : points) appendPointCsv(out, p.x, p.y);
-}
-
-void writePointsCsv(const std::string& path, const std::vector<Point2>& points)
-{
-	AtomicFile file(path);
-	writePointsCsv(file.stream(), points);
-	file.commit();
+	char *at = line, *const end = line + maxLine;
+	at = append(at, end, m.x);
+	*at++ = ',';
+	at = append(at, end, m.y);
+	for (const double v : {m.sensorX, m.sensorY})
+	{
+		*at++ = ',';
+		if (std::isfinite(v)) at = append(at, end, v);
+	}
+	*at++ = '\n';
+	out.write(line, at - line);
 }
 
 }  // namespace ridgemap

@@ -20,7 +20,23 @@
 
 namespace ridgemap
 {
+class CRidgeMap2D;
 struct MapState;
+
+/** What an INI file of MRPT's says about a map of this library. */
+struct RidgeMapDefinition
+{
+	MapOptions options;
+	/** A .ridgemap to start with (key `file` of `_creationOpts`), such as a frozen map to localise in. The creation
+	 * options are then those of the file. */
+	std::string file;
+
+	/** Throws as MapOptions::loadFromConfigFile(). */
+	void loadFromConfigFile(const mrpt::config::CConfigFileBase& source, const std::string& sectionPrefix);
+	void dumpToTextStream(std::ostream& out) const;
+	/** A new map. Throws as loadRidgeMap(), and for options that are not valid. */
+	CRidgeMap2D make() const;
+};
 
 /** Makes the map classes known to MRPT. Loading the library does this by itself; a program that uses the map only
  * through MRPT's registry (INI files, serialized objects) calls it once, else the linker may drop the library
@@ -30,9 +46,8 @@ void registerMapClasses();
 /** A map of surfaces as polylines on the ridges of a continuous occupancy, as one of MRPT's metric maps.
  *
  * In INI files of MRPT programs it is called `ridgeMap`: `ridgeMap_count = 1`, and the sections
- * `<map>_ridgeMap_00_creationOpts`, `_insertOpts`, `_likelihoodOpts`, `_renderOpts` and
- * `_matchingOpts`; see MapOptions and
- * defaultIniText(). Coordinates are metres in the map frame, in double precision.
+ * `<map>_ridgeMap_00_creationOpts`, `_insertOpts`, `_likelihoodOpts`, `_renderOpts` and `_matchingOpts`; see MapOptions
+ * and defaultIniText(). Coordinates are metres in the map frame, in double precision.
  *
  * The polylines are a pure function of the multiset of measurements and the options. They are brought up to date by the
  * first query after a change; see update().
@@ -203,16 +218,7 @@ class CRidgeMap2D : public mrpt::maps::CMetricMap
 	/** @} */
 
 	MAP_DEFINITION_START(CRidgeMap2D)
-	/** A .ridgemap to start with (key `file` of `_creationOpts`), such as a frozen map to localise in. The creation
-	 * options are then those of the file. */
-	std::string file;
-	/** A new map from that file with the other options given here; throws as loadRidgeMap(). */
-	CRidgeMap2D* load() const;
-	TCreationOptions creationOpts;
-	TInsertionOptions insertionOpts;
-	TLikelihoodOptions likelihoodOpts;
-	TRenderOptions renderOpts;
-	TMatchingOptions matchingOpts;
+	RidgeMapDefinition map;
 	MAP_DEFINITION_END(CRidgeMap2D)
 
  private:

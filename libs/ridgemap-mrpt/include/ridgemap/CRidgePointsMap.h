@@ -68,7 +68,7 @@ class CRidgePointsMap : public mrpt::maps::CSimplePointsMap
 	/** @} */
 
 	MAP_DEFINITION_START(CRidgePointsMap)
-	MapOptions options;
+	RidgeMapDefinition map;
 	MAP_DEFINITION_END(CRidgePointsMap)
 
  protected:

@@ -24,17 +24,10 @@ void writePolylinesCsv(const std::string& path, const std::vector<Polyline>& pol
  * @param sigma smoothing parameter of the map [m]. */
 void writeVerticesCsv(std::ostream& out, const std::vector<Polyline>& polylines, double sigma);
 
-/** Writes the header `x,y` of a CSV of points. */
-void writePointsCsvHeader(std::ostream& out);
+/** Writes the header `x,y,sensorX,sensorY` of a CSV of measurements, which ridgemap-build reads again. */
+void writeMeasurementsCsvHeader(std::ostream& out);
 
-/** Appends one line `x,y` with 17 significant digits. */
-void appendPointCsv(std::ostream& out, double x, double y);
-
-/** Writes points as CSV with the header `x,y`. */
-void writePointsCsv(std::ostream& out, const std::vector<Point2>& points);
-
-/** The same into a file that appears complete or not at all. Throws std::runtime_error naming the path and the cause.
- */
-void writePointsCsv(const std::string& path, const std::vector<Point2>& points);
+/** Appends one line in metres with 17 significant digits; a sensor position that is not known stays empty. */
+void appendMeasurementCsv(std::ostream& out, const Measurement& m);
 
 }  // namespace ridgemap
