@@ -82,6 +82,7 @@ rbpf-slam)
 	[ "$(wc -l <LOG_RBPF-SLAM/log_estimated_path.txt)" -eq 224 ] || fail "the path is not that of 224 scans"
 	case $ini in
 	ridge-points.ini) last_pose LOG_RBPF-SLAM/log_estimated_path.txt 2 3 3.6 4.8 -19.1 -18 ;;
+	ridge-map-auxiliary.ini) last_pose LOG_RBPF-SLAM/log_estimated_path.txt 2 3 3.2 5.2 -19.6 -17.6 ;;
 	# Two particles that move by odometry are as good as odometry: only the map is looked at.
 	*) walls_between 'LOG_RBPF-SLAM/finalMap_*_walls.csv' 50 600 ;;
 	esac
