@@ -251,8 +251,10 @@ int run(int argc, char** argv)
 	write(map, *c);
 	if (c->quiet) return 0;
 	const PolylineFigures before = figuresOf(map.walls()), after = figuresOf(walls);
-	std::printf("walls         %zu polylines (%zu closed), %zu of %zu vertices, at most %.3f mm off\n", after.polylines,
-				after.closed, after.nodes, before.nodes, deviation * 1000);
+	// Without a tolerance, walls that meet get their junction as a vertex.
+	const std::string of = c->tolerance > 0 ? " of " + std::to_string(before.nodes) : "";
+	std::printf("walls         %zu polylines (%zu closed), %zu%s vertices, at most %.3f mm off\n", after.polylines,
+				after.closed, after.nodes, of.c_str(), deviation * 1000);
 	printWritten(c->output);
 	return 0;
 }

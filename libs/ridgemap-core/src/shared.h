@@ -12,7 +12,7 @@ template <class T>
 bool isShared(const std::shared_ptr<T>& pointer)
 {
 	if (pointer.use_count() > 1) return true;
-	// What others did before they let go of it pairs with the release of the last of them.
+		// What others did before they let go of it pairs with the release of the last of them.
 #ifdef __SANITIZE_THREAD__
 	std::shared_ptr<T>(pointer).reset();  // the sanitizer knows no fences
 #else
