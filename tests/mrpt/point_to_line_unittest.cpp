@@ -168,6 +168,29 @@ TEST(PointToLine, AmongEqualSolutionsTheNearestCounts)
 	}
 }
 
+TEST(PointToLine, WhereLittleFitsOdometryDecides)
+{
+	// Two corners are known. One of them is seen from the start, and something new of the form of the other one, which
+	// fits that one better when the robot turns and moves by half a metre.
+	const std::vector<Polyline> known{line({3, -0.6}, {3, 0.6}, 12), line({3, 0.6}, {3.8, 0.9}, 8)};
+	const std::vector<Polyline> other{line({-2, 1}, {-2, 2.4}, 14), line({-2, 2.4}, {-1, 2.8}, 10)};
+	auto map = known;
+	map.insert(map.end(), other.begin(), other.end());
+	const MatchingTargets targets(map, {}, {});
+	const PlanarPose start, wrong{0.4, -0.3, 9 * degree};
+	auto points = seenFrom(known, start);
+	const auto lookalike = seenFrom(other, wrong);
+	points.insert(points.end(), lookalike.begin(), lookalike.end());
+	for (int i = 0; i < 16; i++) points.push_back({-6 + 0.1 * i, -7});
+	TMatchingOptions options;
+	for (const double power : {0.0, options.startPower})
+	{
+		options.startPower = power;
+		const auto found = alignFromSeveralStarts(targets, points, start, {1, 0.17, 2, {0, 0}}, options).pose;
+		EXPECT_EQ(std::hypot(found.x, found.y) < 0.2, power > 0) << found.x << ' ' << found.y << ' ' << found.phi;
+	}
+}
+
 TEST(PointToLine, DirectionsWithoutEvidenceStayAsTheyAre)
 {
 	const std::vector<Polyline> wall{line({-50, 0}, {50, 0}, 500)};

@@ -62,13 +62,13 @@ class Starts
 	/** The start that others have to beat. */
 	void tryFirst(const MatchingGate& gate) { best_ = aligned(given_, gate, fit_); }
 
-	/** Counts if its score is greater by yawMargin. Returns what was found. */
+	/** Counts if it ranks higher by yawMargin. Returns what was found. */
 	PlanarPose tryFrom(const PlanarPose& start, const MatchingGate& gate)
 	{
 		Fit fit;
 		const Alignment next = aligned(start, gate, fit);
 		// A tie goes to the start that comes first: odometry is right more often than not.
-		if (fit.score > fit_.score * (1 + options_.yawMargin)) take(next, fit);
+		if (rank(next) > rank(best_) * (1 + options_.yawMargin)) take(next, fit);
 		return next.pose;
 	}
 
@@ -94,6 +94,14 @@ class Starts
 	{
 		best_ = next;
 		fit_ = fit;
+	}
+	/** The score, and the farther from the start given, the less. Points that the map does not explain fit somewhere
+	 * else by chance, so the more of them there are, the more odometry says beside the score. */
+	double rank(const Alignment& a) const
+	{
+		const double off = std::hypot(a.pose.x - given_.x, a.pose.y - given_.y) / options_.startSpread;
+		const double unexplained = 1 - a.score / double(few_.size());
+		return a.score * std::pow(1 + off * off, -options_.startPower * unexplained);
 	}
 	std::vector<Place> placesAround() const;
 	/** From a place that odometry does not speak for: counts if it fits better by that share. */

@@ -171,6 +171,11 @@ void visitFields(const TMatchingOptions*, O& o, V&& visit)
 	visit(FieldInfo{"yawLeastGate", "m", "further starts only while the program allows at least this distance", 0, 1e3},
 		  o.yawLeastGate);
 	visit(FieldInfo{"yawMargin", "", "share of its score by which another start must win", 0, 10}, o.yawMargin);
+	visit(FieldInfo{"startSpread", "m",
+					"starts are off by about this: where little of the scan fits, poses farther away count less", 1e-3,
+					1e3},
+		  o.startSpread);
+	visit(FieldInfo{"startPower", "", "how much less; 0: the distance does not matter", 0, 10}, o.startPower);
 	visit(FieldInfo{"shiftStarts", "",
 					"poses on each side, forwards and sideways, to look at for starts; for finished maps; 0: none", 0,
 					20},

@@ -101,8 +101,9 @@ Alignment alignNarrowing(const MatchingTargets& targets, const std::vector<Point
 /** From a start that may be wrong: with a narrow gate (options.nearGate), with the one given, and, unless these two
  * agree and their score reaches options.startShare of the number of points, from starts turned by multiples of
  * options.yawStep, if the gate reaches options.yawLeastGate. An earlier one counts unless a later one ends with a score
- * greater by yawMargin. Two more searches are for maps that hold all that can be seen, see options.shiftStarts and
- * options.slideReach. Some hundred of the points decide, all of them give the answer. */
+ * greater by yawMargin, where scores count less the farther a pose is from the start and the less of the scan fits
+ * there (options.startSpread). Two more searches are for maps that hold all that can be seen, see options.shiftStarts
+ * and options.slideReach. Some hundred of the points decide, all of them give the answer. */
 Alignment alignFromSeveralStarts(const MatchingTargets& targets, const std::vector<Point2>& points,
 								 const PlanarPose& start, const MatchingGate& gate, const TMatchingOptions& options);
 
