@@ -60,8 +60,8 @@ for attempt in {1..20}; do
 	! tail -n 1 estimates | awk '{ exit !(($1 - 15.9)^2 + ($2 + 10)^2 < 0.25) }' || break
 	[ "$attempt" -lt 20 ] || die "none of $attempt runs found the robot"
 done
-walls LOG_LOCALIZATION_000_0040000/*_walls.csv
-draw localization 900 480 -14:20 -16:4 "'LOG_LOCALIZATION_000_0040000/particles/particles_0_initial.txt' every 20 using 1:2 \
+walls LOG_LOCALIZATION_000_0080000/*_walls.csv
+draw localization 900 480 -14:20 -16:4 "'LOG_LOCALIZATION_000_0080000/particles/particles_0_initial.txt' every 40 using 1:2 \
 	with points pt 7 ps 0.3 lc rgb '#9fc5f8' title 'first particles', \
 	'estimates' using 1:2:(sqrt(\$3 / 2)) with circles lw 1.2 lc rgb '#e69138' title 'estimates, with deviation'"
 
