@@ -96,12 +96,12 @@ class Starts
 		fit_ = fit;
 	}
 	/** The score, and the farther from the start given, the less. Points that the map does not explain fit somewhere
-	 * else by chance, so the more of them there are, the more odometry says beside the score. */
+	 * else by chance, so the more of them there are, the more odometry says beside the score; few of them say nothing. */
 	double rank(const Alignment& a) const
 	{
 		const double off = std::hypot(a.pose.x - given_.x, a.pose.y - given_.y) / options_.startSpread;
 		const double unexplained = 1 - a.score / double(few_.size());
-		return a.score * std::pow(1 + off * off, -options_.startPower * unexplained);
+		return a.score * std::pow(1 + off * off, -options_.startPower * unexplained * unexplained);
 	}
 	std::vector<Place> placesAround() const;
 	/** From a place that odometry does not speak for: counts if it fits better by that share. */

@@ -126,10 +126,10 @@ struct TMatchingOptions : public mrpt::config::CLoadableOptions
 	double yawStep = 8;              ///< turn from one start to the next [deg]
 	double yawLeastGate = 1;         ///< further starts only while the program allows at least this distance [m]
 	double yawMargin = 0.05;         ///< share of its score by which another start must win
-	/** Scores of poses that are off the start by d are multiplied by (1 + (d/startSpread)^2)^(-startPower u), where u
+	/** Scores of poses that are off the start by d are multiplied by (1 + (d/startSpread)^2)^(-startPower u^2), where u
 	 * is the share of the scan that the map does not explain there [m] */
 	double startSpread = 0.3;
-	double startPower = 0.3;  ///< see startSpread; 0: the distance from the start does not matter
+	double startPower = 1;  ///< see startSpread; 0: the distance from the start does not matter
 	/** If none of these fits: so many poses on each side, forwards and sideways and turned by half of yawStep, are
 	 * looked at for better starts. For maps that hold all that can be seen: into what a map does not hold yet, odometry
 	 * leads better. 0: none */
