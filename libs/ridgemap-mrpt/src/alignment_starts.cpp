@@ -96,7 +96,8 @@ class Starts
 		fit_ = fit;
 	}
 	/** The score, and the farther from the start given, the less. Points that the map does not explain fit somewhere
-	 * else by chance, so the more of them there are, the more odometry says beside the score; few of them say nothing. */
+	 * else by chance, so the more of them there are, the more odometry says beside the score; few of them say nothing.
+	 */
 	double rank(const Alignment& a) const
 	{
 		const double off = std::hypot(a.pose.x - given_.x, a.pose.y - given_.y) / options_.startSpread;
