@@ -36,7 +36,17 @@ namespace ridgemap::test
 namespace
 {
 using Nodes = std::vector<std::int64_t>;
+/** Nodes of the blocks around that of the cells. */
+using BlockNodes = std::map<std::pair<int, int>, Nodes>;
 constexpr std::size_t nodeCount = std::size_t(nodesPerBlock * nodesPerBlock);
+
+/** What spreading asks for nodes. */
+auto nodesIn(BlockNodes& blocks)
+{
+	return [&](int bx, int by) -> Nodes& {
+		return blocks[{bx, by}];
+	};
+}
 
 CellSums sumOf(const CellSums& a, const CellSums& b)
 {
@@ -125,14 +135,10 @@ TEST(FieldNodes, TakeAwayExactlyWhatTheyAddedHoweverMuchThatIs)
 	const CellGrid grid{Options()};
 	const KernelSpreader spreader(grid, 5);
 	Random random(2);
-	std::map<std::pair<int, int>, Nodes> blocks, direct;
+	BlockNodes blocks, direct;
 	SpreadScratch scratch;
-	const auto nodesOf = [&](int bx, int by) -> Nodes& {
-		return blocks[{bx, by}];
-	};
-	const auto directNodes = [&](int bx, int by) -> Nodes& {
-		return direct[{bx, by}];
-	};
+	const auto nodesOf = nodesIn(blocks);
+	const auto directNodes = nodesIn(direct);
 	std::map<CellKey, CellSums> cells;
 	for (int i = 0; i < 60; i++)
 	{
@@ -158,7 +164,7 @@ TEST(FieldNodes, TakeAwayExactlyWhatTheyAddedHoweverMuchThatIs)
 		spreader.spread(key, {}, s, scratch, directNodes);
 		spreader.finish(scratch, directNodes);
 	}
-	const auto withoutEmpty = [](std::map<std::pair<int, int>, Nodes>& m)
+	const auto withoutEmpty = [](BlockNodes& m)
 	{
 		for (auto it = m.begin(); it != m.end();) it = it->second.empty() ? m.erase(it) : std::next(it);
 	};
@@ -177,17 +183,13 @@ TEST(FieldNodes, ASmallChangeOfALargeCountIsExact)
 	const CellGrid grid{Options()};
 	const KernelSpreader spreader(grid, 5);
 	Random random(3);
-	std::map<std::pair<int, int>, Nodes> blocks, direct;
+	BlockNodes blocks, direct;
 	SpreadScratch scratch;
 	for (int i = 0; i < 20; i++)
 	{
 		const Cell c = randomCell(random, grid);
-		const auto nodesOf = [&](int bx, int by) -> Nodes& {
-			return blocks[{bx, by}];
-		};
-		const auto directNodes = [&](int bx, int by) -> Nodes& {
-			return direct[{bx, by}];
-		};
+		const auto nodesOf = nodesIn(blocks);
+		const auto directNodes = nodesIn(direct);
 		const std::int64_t many = (1 << 20) + i;
 		for (const auto& [before, after] : {std::pair<std::int64_t, std::int64_t>{0, many}, {many, many - 1}})
 		{
@@ -208,14 +210,10 @@ TEST(FieldNodes, ManySmallChangesOfLargeCountsAddUpExactly)
 	Random random(5);
 	for (const std::int64_t many : {100, 400, 10000, 100000000})
 	{
-		std::map<std::pair<int, int>, Nodes> blocks, direct;
+		BlockNodes blocks, direct;
 		SpreadScratch scratch;
-		const auto nodesOf = [&](int bx, int by) -> Nodes& {
-			return blocks[{bx, by}];
-		};
-		const auto directNodes = [&](int bx, int by) -> Nodes& {
-			return direct[{bx, by}];
-		};
+		const auto nodesOf = nodesIn(blocks);
+		const auto directNodes = nodesIn(direct);
 		std::map<CellKey, CellSums> cells;
 		for (int i = 0; i < 20; i++)
 		{

@@ -199,9 +199,7 @@ class SegmentScan
 	 * where v1 turns, and would take many steps to find and to discard. */
 	bool isHopeless(const BorderSample& a, const BorderSample& b, const BorderSample& c) const
 	{
-		const auto isLikely = [&](const BorderSample& x)
-		{ return x.r.lambda1 < 0 && x.r.occupancy > 0 && sensitivity(x.r) <= 2 * options_.maxSensitivity; };
-		return !isLikely(a) && !isLikely(b) && !isLikely(c);
+		return !isRidgeLike(a.r, options_, 2) && !isRidgeLike(b.r, options_, 2) && !isRidgeLike(c.r, options_, 2);
 	}
 
 	const TileField& field_;

@@ -68,11 +68,8 @@ void CounterTile::reserve(std::uint32_t rays)
 CounterTile& tileAt(CounterTiles& tiles, TileKey key)
 {
 	std::shared_ptr<CounterTile>& t = tiles[key];
-	if (!t)
-		t = std::make_shared<CounterTile>();
-	else if (isShared(t))
-		t = std::make_shared<CounterTile>(*t);
-	return *t;
+	if (!t) t = std::make_shared<CounterTile>();
+	return own(t);
 }
 
 }  // namespace ridgemap

@@ -94,8 +94,7 @@ void Block::forgetBefore()
 SharedNodes::Values& SharedNodes::own()
 {
 	if (!values_) values_ = std::make_shared<Values>();
-	if (isShared(values_)) values_ = std::make_shared<Values>(*values_);
-	return *values_;
+	return ridgemap::own(values_);
 }
 
 std::vector<std::int64_t>& Block::nodesOf(std::uint32_t bin)

@@ -130,9 +130,9 @@ double sensitivity(const RidgePoint& r)
 	return r.occupancy * (1 + turn) / pull;
 }
 
-bool isRidgeLike(const RidgePoint& r, const Options& o)
+bool isRidgeLike(const RidgePoint& r, const Options& o, double slack)
 {
-	return r.lambda1 < 0 && r.occupancy > 0 && sensitivity(r) <= o.maxSensitivity;
+	return r.lambda1 < 0 && r.occupancy > 0 && sensitivity(r) <= slack * o.maxSensitivity;
 }
 
 }  // namespace ridgemap

@@ -51,7 +51,8 @@ RidgePoint evaluateRidge(FieldPoint& point, Vec2 normal);
  * at an umbilic point; infinite where f does not fall, so that the density does not lead towards the ridge. */
 double sensitivity(const RidgePoint& r);
 
-/** The ridge is attractive and its place is determined here: lambda1 < 0, bounded sensitivity. Says nothing of f. */
-bool isRidgeLike(const RidgePoint& r, const Options& options);
+/** The ridge is attractive and its place is determined here: lambda1 < 0, sensitivity at most `slack` times what the
+ * options allow. Says nothing of f. */
+bool isRidgeLike(const RidgePoint& r, const Options& options, double slack = 1);
 
 }  // namespace ridgemap

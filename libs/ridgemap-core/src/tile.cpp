@@ -10,9 +10,7 @@ namespace ridgemap
 Tile* TileStore::own(TileKey key)
 {
 	const auto it = tiles_.find(key);
-	if (it == tiles_.end()) return nullptr;
-	if (isShared(it->second)) it->second = std::make_shared<Tile>(*it->second);
-	return it->second.get();
+	return it == tiles_.end() ? nullptr : &ridgemap::own(it->second);
 }
 
 Tile& TileStore::at(TileKey key)
